@@ -58,7 +58,7 @@ std::size_t state_of(const TargetRecord& target,
   bool is_running = false;
   for (const auto& id : target.jobs) {
     const auto job = jobs.find(id);
-    if (!view.is_live || job == jobs.end()) continue;
+    if (!view.is_live || job == jobs.end() || goes_on(view.run.jobs[job->second])) continue;
     is_waiting = is_waiting || view.states[job->second] == JobState::Waiting;
     is_running = is_running || view.states[job->second] == JobState::Running;
   }
@@ -71,6 +71,15 @@ std::size_t state_of(const TargetRecord& target,
   if (state == results::kUnexpectedPass) return kUnexpectedPass;
   const auto* const at = std::find(results::kVerdicts.begin(), results::kVerdicts.end(), target.verdict);
   return static_cast<std::size_t>(at - results::kVerdicts.begin());
+}
+
+// Whether the state is the verdict of a look, after which more may follow.
+bool is_preliminary(const TargetRecord& target,
+                    const RunView& view,
+                    const std::map<std::string, std::size_t>& jobs) {
+  if (!view.is_live || target.jobs.size() != 1) return false;
+  const auto job = jobs.find(target.jobs.front());
+  return job != jobs.end() && goes_on(view.run.jobs[job->second]);
 }
 
 // The image of a difference costs the sum of two renders, and the larger of the two memories. It has a
@@ -138,6 +147,7 @@ void add_cells(const RunView& view, Overview& overview, Names& cases, Names& ren
     cells.targets.push_back(targets.of(target.target));
     cells.renderers.push_back(renderers.of(target.renderer));
     cells.states.push_back(state_of(target, view, jobs));
+    cells.preliminary.push_back(is_preliminary(target, view, jobs) ? 1 : 0);
     cells.declared.push_back(target.declared ? 1 : 0);
     cells.reasons.push_back(reasons.of(reason_text(target)));
     const auto image = std::filesystem::path(run.folder) / target.image;

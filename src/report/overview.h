@@ -110,7 +110,8 @@ using Column = std::vector<double>;
 /// One value per target of the run. Names are indices into the lists of the overview.
 struct Cells {
   std::vector<std::size_t> cases, targets, renderers, states, declared, reasons, thumbnails;
-  Column machine;  // null if the times are not of a single machine
+  std::vector<std::size_t> preliminary;  // 1 where the state is the verdict of a look, and more may follow
+  Column machine;                        // null if the times are not of a single machine
   Column wall_seconds, cpu_seconds, render_seconds, peak_rss_bytes, spp;
 };
 
@@ -120,6 +121,7 @@ void fields(Visitor& visit, Record& cells) {
   visit("target", cells.targets);
   visit("renderer", cells.renderers);
   visit("state", cells.states);
+  visit("preliminary", cells.preliminary);
   visit("declared", cells.declared);
   visit("reason", cells.reasons);
   visit("thumbnail", cells.thumbnails);

@@ -36,6 +36,13 @@ double seconds_left(const RunView& view) {
   return left;
 }
 
+// "cycles 101", and how far it is where it is rendered in looks.
+std::string text_of(const results::JobRecord& job) {
+  auto text = fmt::format("{} {}", job.identity.renderer, job.identity.scene);
+  if (goes_on(job)) text += fmt::format(" ({} samples so far)", job.identity.spp);
+  return text;
+}
+
 }  // namespace
 
 std::string progress_json(const RunView& view) {
@@ -43,9 +50,7 @@ std::string progress_json(const RunView& view) {
       .is_live = view.is_live, .total = view.run.jobs.size(), .seconds_left = seconds_left(view)};
   for (std::size_t i = 0; i < view.run.jobs.size(); ++i) {
     if (view.states[i] == JobState::Done) ++progress.done;
-    if (view.states[i] == JobState::Running)
-      progress.running.push_back(
-          fmt::format("{} {}", view.run.jobs[i].identity.renderer, view.run.jobs[i].identity.scene));
+    if (view.states[i] == JobState::Running) progress.running.push_back(text_of(view.run.jobs[i]));
   }
   json::Writer out;
   json::write_record(out, progress);

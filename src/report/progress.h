@@ -11,7 +11,7 @@ namespace orbs::report {
 /// The progress of a run that goes on, as an event of the server.
 struct Progress {
   bool is_live = false;
-  std::vector<std::string> running = {};  // "cycles 101"
+  std::vector<std::string> running = {};  // "cycles 101 (64 samples so far)"
   std::size_t done = 0;
   std::size_t total = 0;
   double seconds_left = 0;  // an estimate; NaN if unknown

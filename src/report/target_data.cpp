@@ -69,6 +69,7 @@ TargetDetail target_detail(const RunView& view, std::size_t index) {
                       .hidden = target.hidden,
                       .measures = target.measures,
                       .checks = target.checks,
+                      .looks = target.looks,
                       .images = images_of(target),
                       .reference_provenance = target.reference_provenance,
                       .jobs = {},

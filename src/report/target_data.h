@@ -56,6 +56,7 @@ struct TargetDetail {
   std::string hidden;
   std::vector<results::Measure> measures;
   std::vector<results::Check> checks;
+  std::vector<results::LookRecord> looks;
   std::vector<ImageFile> images;
   std::map<std::string, std::string> reference_provenance;
   std::vector<Job> jobs;
@@ -76,6 +77,7 @@ void fields(Visitor& visit, Record& detail) {
   visit("hidden", detail.hidden);
   visit("measures", detail.measures);
   visit("checks", detail.checks);
+  visit("looks", detail.looks);
   visit("images", detail.images);
   visit("reference_provenance", detail.reference_provenance);
   visit("jobs", detail.jobs);

@@ -116,8 +116,8 @@ void fields(Visitor& visit, Record& end) {
 struct JobSampling {
   int looks = 0;       // 0: the samples were fixed beforehand
   int most_looks = 0;  // that the error rates allow for
-  std::string
-      end;  // why there are no more: "decided", "edge", "reference", "budget", "looks"; "" while it goes on
+  /// Why there are no more: "decided", "edge", "reference", "budget", "looks"; "" while it goes on.
+  std::string end;
 };
 
 template <class Visitor, json::RecordOf<JobSampling> Record>

@@ -9,7 +9,7 @@ import { startSession } from "./session";
 const source = process.env["ORBS_SOURCE_DIR"] ?? "";
 const axe = createRequire(join(source, "web/package.json"))("axe-core") as { source: string };
 
-const session = startSession("small", "before", "cost");
+const session = startSession("small", "before", "cost", "looks");
 
 interface Violation {
   id: string;
@@ -26,6 +26,7 @@ const views: Record<string, { address: string; ready: string; image?: string }> 
     ready: ".legend",
     image: "difference",
   },
+  path: { address: "#/case/m3_lamp/lamp/one?run=looks", ready: ".path-chart svg" },
   layer: {
     address: "#/case/a1_stokes/stokes/one?layer=S1",
     ready: ".pair-errors",

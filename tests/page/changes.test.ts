@@ -16,7 +16,7 @@ const kStates = [
 ];
 
 /** A run of one target, in this state and with this error of its mean. */
-const runOf = (state: string, light: number): Overview =>
+const runOf = (state: string, light: number, preliminary = [0]): Overview =>
   ({
     cases: [{ name: "m1" }],
     targets: ["101"],
@@ -25,7 +25,7 @@ const runOf = (state: string, light: number): Overview =>
     metrics: [{ name: "mean_ratio_r", lower_is_better: true, signed: true }],
     measures: { mean_ratio_r: [light] },
     infinite: {},
-    cells: { case: [0], target: [0], renderer: [0], state: [kStates.indexOf(state)] },
+    cells: { case: [0], target: [0], renderer: [0], state: [kStates.indexOf(state)], preliminary },
   }) as unknown as Overview;
 
 const kindOf = (before: Overview, after: Overview): Kind | undefined =>
@@ -62,4 +62,10 @@ test("an error of the other sign is not better", () => {
   assert.equal(kindOfLight(0.051, 0.011), "better");
   assert.equal(kindOfLight(0.051, 0.08), "worse");
   assert.equal(kindOfLight(0.051, 0.051), "same");
+});
+
+test("a preliminary verdict is compared with nothing", () => {
+  assert.equal(kindOf(runOf("pass", 0), runOf("inconclusive", 0)), "changed");
+  assert.equal(kindOf(runOf("pass", 0), runOf("inconclusive", 0, [1])), "open");
+  assert.equal(kindOf(runOf("inconclusive", 0, [1]), runOf("pass", 0)), "open");
 });

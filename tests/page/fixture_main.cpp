@@ -2,10 +2,14 @@
 //   orbs-page-fixture small|before|many|huge <folder>   a finished run
 //   orbs-page-fixture cost <folder>                      a cost study
 //   orbs-page-fixture stability <folder>                 a study of stability
-//   orbs-page-fixture live <folder>                      a live run: each line on stdin completes a
+//   orbs-page-fixture looks <folder>                     a run whose renders are made in looks
+//   orbs-page-fixture live-looks <folder>                a live run: each line on stdin is a look at its
+//   first render orbs-page-fixture live <folder>                      a live run: each line on stdin
+//   completes a
 //                                                        render, the end of stdin the run
 #include "base/error.h"
 #include "page/fixture_cost.h"
+#include "page/fixture_looks.h"
 #include "page/fixture_runs.h"
 #include "page/fixture_stability.h"
 
@@ -25,6 +29,8 @@ int main(int argc, char** argv) {
     if (what == "huge") write_run_of_huge_images(folder);
     if (what == "cost") write_cost_study(folder);
     if (what == "stability") write_stability_study(folder);
+    if (what == "looks") write_run_of_looks(folder);
+    if (what == "live-looks") play_live_looks(folder);
     if (what == "live") play_live_run(folder);
   } catch (const orbs::InputError& e) {
     std::fputs(e.what(), stderr);

@@ -60,9 +60,12 @@ export async function serve(...runs: string[]): Promise<Served> {
   return { url: /http:\S+\//.exec(line)?.[0] ?? "", process: child };
 }
 
-/** A live run; each line on its stdin completes a render. */
-export async function playLive(folder: string): Promise<ChildProcess> {
-  return (await startChild("orbs-page-fixture", ["live", folder], "pipe")).child;
+/** A live run; each line on its stdin completes a render, or is a look at one. */
+export async function playLive(
+  folder: string,
+  kind: "live" | "live-looks" = "live",
+): Promise<ChildProcess> {
+  return (await startChild("orbs-page-fixture", [kind, folder], "pipe")).child;
 }
 
 /** What the command prints. */

@@ -9,6 +9,7 @@
 #include "report/overview.h"
 #include "report/packed_image.h"
 #include "report/page_file.h"
+#include "report/progress.h"
 #include "report/target_data.h"
 #include "structure/source_files.h"
 
@@ -231,6 +232,41 @@ TEST(PageData, HoldsEveryMemberOfTheRecordOfARender) {
   const auto text = report::target_json(view, 0);
   for (const char* member : {R"("judged": "0123")", R"("core_dumped": true)", R"("outcome": "skipped")"})
     EXPECT_TRUE(holds(text, member)) << text;
+}
+
+// A run that goes on, with one render that has been looked at twice.
+TEST(PageData, AVerdictIsPreliminaryWhileItsRenderGoesOn) {
+  results::RunView view;
+  view.run.folder = "/nowhere";
+  view.is_live = true;
+  view.states = {results::JobState::Running};
+  auto& job = view.run.jobs.emplace_back();
+  job.identity.id = "i";
+  job.identity.renderer = "r";
+  job.identity.scene = "101";
+  job.identity.spp = 32;
+  job.cost.started = "2026-01-01T00:00:00";
+  job.end.outcome = results::JobOutcome::Image;
+  job.sampling = {.looks = 2, .most_looks = 9, .end = ""};
+  auto& target = view.run.targets.emplace_back();
+  target.jobs = {"i"};
+  target.verdict = results::Verdict::Inconclusive;
+  target.looks = {{.spp = 16, .verdict = results::Verdict::Inconclusive, .gate = "edge_blur", .value = 0.25},
+                  {.spp = 32, .verdict = results::Verdict::Inconclusive, .gate = "mean_ratio_g"}};
+  auto text = report::overview_json(view);
+  const std::string inconclusive = R"("state": [4])";
+  EXPECT_TRUE(holds(text, inconclusive)) << text;
+  EXPECT_TRUE(holds(text, R"("preliminary": [1])")) << text;
+  EXPECT_TRUE(holds(text, R"("spp": [32])")) << text;
+  EXPECT_TRUE(holds(report::progress_json(view), R"x("running": ["r 101 (32 samples so far)"])x"));
+  const auto detail = report::target_json(view, 0);
+  EXPECT_TRUE(holds(detail, R"("gate": "edge_blur")")) << detail;
+  EXPECT_TRUE(holds(detail, R"("most_looks": 9)")) << detail;
+  view.run.jobs[0].sampling.end = "decided";
+  view.states = {results::JobState::Done};
+  text = report::overview_json(view);
+  EXPECT_TRUE(holds(text, inconclusive)) << text;
+  EXPECT_TRUE(holds(text, R"("preliminary": [0])")) << text;
 }
 
 // Somebody else's results.json may name any file of this machine.

@@ -93,6 +93,57 @@ TEST(ResultsJson, KeepsAllThatIsKnownOfTheMachines) {
   EXPECT_EQ(read_job_file(scratch.path() / "job.json").job.cost.host, run.jobs[1].cost.host);
 }
 
+TEST(ResultsJson, KeepsTheLooksOfATargetAndOfItsRender) {
+  const orbs::structure::TestFolder scratch("results-looks");
+  RunRecord run;
+  run.targets.push_back(target(Verdict::Pass, true));
+  run.targets[0].looks = {{.spp = 16, .verdict = Verdict::Inconclusive, .gate = ""},
+                          {.spp = 32,
+                           .verdict = Verdict::Pass,
+                           .gate = "mean_ratio_g",
+                           .value = 0.001,
+                           .low = -0.0025,
+                           .high = 0.0045}};
+  run.jobs.emplace_back();
+  run.jobs[0].identity.spp = 32;
+  run.jobs[0].sampling = {.looks = 2, .most_looks = 9, .end = "decided"};
+  const auto expect_looks = [](const TargetRecord& target, const JobRecord& job) {
+    ASSERT_EQ(target.looks.size(), 2U);
+    EXPECT_EQ(target.looks[0].spp, 16);
+    EXPECT_EQ(target.looks[0].verdict, Verdict::Inconclusive);
+    EXPECT_EQ(target.looks[0].gate, "");
+    EXPECT_EQ(target.looks[0].value, std::nullopt);
+    EXPECT_EQ(target.looks[1].spp, 32);
+    EXPECT_EQ(target.looks[1].verdict, Verdict::Pass);
+    EXPECT_EQ(target.looks[1].gate, "mean_ratio_g");
+    EXPECT_EQ(target.looks[1].value, 0.001);
+    EXPECT_EQ(target.looks[1].low, -0.0025);
+    EXPECT_EQ(target.looks[1].high, 0.0045);
+    EXPECT_EQ(job.sampling.looks, 2);
+    EXPECT_EQ(job.sampling.most_looks, 9);
+    EXPECT_EQ(job.sampling.end, "decided");
+  };
+  scratch.write("results.json", run_json(run));
+  const auto read = read_results_file(scratch.path() / "results.json");
+  expect_looks(read.targets.at(0), read.jobs.at(0));
+  scratch.write("job.json", job_json(run.jobs[0], run.targets));
+  const auto of_job = read_job_file(scratch.path() / "job.json");
+  expect_looks(of_job.targets.at(0), of_job.job);
+}
+
+// Records of an orbs that knew no looks.
+TEST(ResultsJson, WithoutLooksTheSamplesWereFixed) {
+  const orbs::structure::TestFolder scratch("results-no-looks");
+  scratch.write("job.json",
+                R"({"format": "orbs-job/2", "identity": {"id": "i", "scene": "s", "renderer": "r"},
+ "end": {"outcome": "image"},
+ "targets": [{"requirement": "M1", "case": "c", "target": "s", "renderer": "r", "verdict": "pass"}]})");
+  const auto read = read_job_file(scratch.path() / "job.json");
+  EXPECT_EQ(read.job.sampling.looks, 0);
+  EXPECT_EQ(read.job.sampling.end, "");
+  EXPECT_TRUE(read.targets.at(0).looks.empty());
+}
+
 TEST(JobJson, RefusesCountsThatNoRenderCanHave) {
   const orbs::structure::TestFolder scratch("results-counts");
   const auto file = scratch.path() / "job.json";

@@ -122,6 +122,48 @@ TEST(RunFolder, OfARunThatGoesOnIsFollowed) {
   EXPECT_FALSE(refresh(view));
 }
 
+// A render in looks leaves its job.json after each of them.
+TEST(RunFolder, ARenderInLooksIsReadAgainAfterEachLook) {
+  const structure::TestFolder scratch("run-looks");
+  write_unfinished(scratch);
+  const RunLock lock(scratch.path());
+  auto view = read_run_folder(scratch.path());
+  auto job = job_called("b", true);
+  auto target = target_of(job);
+  const auto look = [&](int looks, Verdict verdict, const std::string& end) {
+    job.identity.spp = 8 << looks;
+    job.sampling = {.looks = looks, .most_looks = 9, .end = end};
+    target.verdict = verdict;
+    target.looks.push_back({.spp = job.identity.spp, .verdict = verdict, .gate = ""});
+    scratch.write("r/b/job.json", job_json(job, {target}));
+  };
+  look(1, Verdict::Inconclusive, "");
+  EXPECT_TRUE(refresh(view));
+  EXPECT_EQ(view.states[1], JobState::Running);
+  EXPECT_EQ(view.run.targets[1].verdict, Verdict::Inconclusive);
+  EXPECT_FALSE(refresh(view));
+  look(2, Verdict::Inconclusive, "");
+  EXPECT_TRUE(refresh(view));
+  EXPECT_EQ(view.states[1], JobState::Running);
+  EXPECT_EQ(view.run.jobs[1].identity.spp, 32);
+  look(3, Verdict::Fail, "decided");
+  EXPECT_TRUE(refresh(view));
+  EXPECT_EQ(view.states[1], JobState::Done);
+  EXPECT_EQ(view.run.targets[1].verdict, Verdict::Fail);
+  EXPECT_EQ(view.run.targets[1].looks.size(), 3U);
+  EXPECT_FALSE(refresh(view));
+}
+
+// No look follows one that left no image.
+TEST(RunFolder, ALookWithoutAnImageEndsTheRender) {
+  auto job = job_called("a", true);
+  job.sampling.looks = 2;
+  EXPECT_TRUE(goes_on(job));
+  job.end.outcome = JobOutcome::Crash;
+  EXPECT_FALSE(goes_on(job));
+  EXPECT_FALSE(goes_on(job_called("a", true)));
+}
+
 TEST(RunFolder, TheLockEndsWithItsHolder) {
   const structure::TestFolder scratch("run-lock");
   scratch.write("x", "");

@@ -12,6 +12,7 @@ import { Effects } from "./Effects";
 import { Logs } from "./Logs";
 import { Measures } from "./Measures";
 import { useOtherImages } from "./other_images";
+import { PathToVerdict } from "./PathToVerdict";
 import { Provenance } from "./Provenance";
 import { RenderRecord } from "./RenderRecord";
 import { Verdict } from "./Verdict";
@@ -41,10 +42,10 @@ export function CasePage({ session, route }: { session: Session; route: Route })
   const [, caseName = "", target = "", renderer = ""] = route.path;
   const { overview } = session;
   const index = findCell(overview, caseName, target, renderer);
-  // The detail is requested again when the state of the cell changes.
+  // The detail is requested again when the state of the cell changes, or after another look.
   const { value: detail, problem } = useRequest(
     `${session.run} ${index}`,
-    overview.cells.state[index],
+    `${overview.cells.state[index]} ${overview.cells.spp[index]}`,
     index < 0 ? undefined : () => session.source.target(session.run, index),
   );
   const { previous, next, siblings } = neighbours(session, index);
@@ -134,6 +135,10 @@ function CaseHeader({ session, index, one, target, diagnosis, onMove }: HeaderPr
   );
 }
 
+/** More samples make other images, in the same files. */
+const samplesOf = ({ jobs }: TargetDetail): string =>
+  jobs.map(({ identity }) => identity.spp).join(" ");
+
 interface DetailProps {
   session: Session;
   route: Route;
@@ -146,7 +151,7 @@ function Detail({ session, route, one, detail }: DetailProps) {
   return (
     <>
       <Viewer
-        key={`${detail.case}/${detail.target}/${detail.renderer}`}
+        key={`${detail.case}/${detail.target}/${detail.renderer}/${samplesOf(detail)}`}
         home={session}
         addable={addable}
         images={detail.images}
@@ -154,6 +159,7 @@ function Detail({ session, route, one, detail }: DetailProps) {
       />
       <div class="facts">
         <Measures detail={detail} />
+        <PathToVerdict session={session} detail={detail} />
         <section class="about">
           <h2>What is tested</h2>
           <p>{one.tests || "The case has no description."}</p>

@@ -5,13 +5,14 @@ import type { TargetDetail } from "../data/generated";
 
 const kColumns: Column[] = [
   { label: "Render" },
+  { label: "Samples", isNumber: true, title: "samples per pixel, all looks together" },
   { label: "Wall", isNumber: true, title: "wall-clock time of the whole process" },
   { label: "CPU", isNumber: true, title: "user and system time of the process and its children" },
   { label: "Reported", isNumber: true, title: "render time that the renderer itself reports" },
   { label: "Peak memory", isNumber: true, title: "largest resident set of any of its processes" },
 ];
 
-/** Time and memory of the renders, and the commands that repeat them. */
+/** Samples, time and memory of the renders, and the commands that repeat them. */
 export function Cost({ detail }: { detail: TargetDetail }) {
   return (
     <section class="cost">
@@ -23,6 +24,7 @@ export function Cost({ detail }: { detail: TargetDetail }) {
             {detail.jobs.map((job) => (
               <tr key={job.identity.id}>
                 <th scope="row">{job.identity.scene}</th>
+                <td class="number">{job.cost.started ? job.identity.spp : "–"}</td>
                 <td class="number">{seconds(job.cost.started ? job.cost.wall_seconds : null)}</td>
                 <td class="number">{seconds(job.cost.started ? job.cost.cpu_seconds : null)}</td>
                 <td class="number">{seconds(job.cost.render_seconds)}</td>

@@ -1,7 +1,7 @@
-import { bytes } from "../common/format";
+import { bytes, counted } from "../common/format";
 import { PairList } from "../common/PairList";
 import type { Session } from "../common/session";
-import type { Host, TargetDetail } from "../data/generated";
+import type { Host, Job, TargetDetail } from "../data/generated";
 
 function Pairs({ title, pairs }: { title: string; pairs: [string, string][] }) {
   const known = pairs.filter(([, value]) => value !== "");
@@ -13,6 +13,11 @@ function Pairs({ title, pairs }: { title: string; pairs: [string, string][] }) {
     </div>
   );
 }
+
+const samplesText = ({ identity, sampling }: Job): string =>
+  sampling.looks > 0
+    ? `${identity.spp}, in ${sampling.looks} of at most ${counted(sampling.most_looks, "look")}`
+    : String(identity.spp);
 
 function hostPairs(host: Host, load: number): [string, string][] {
   const limits = [
@@ -44,7 +49,7 @@ export function Provenance({ session, detail }: { session: Session; detail: Targ
             pairs={[
               ["program", job.program.version],
               ["hand-written scene", job.files.native_scene],
-              ["samples per pixel", String(job.identity.spp)],
+              ["samples per pixel", samplesText(job)],
               [
                 "seed",
                 job.identity.seeds > 1

@@ -1,4 +1,4 @@
-import { reasonOf, stateOf, type Session } from "../common/session";
+import { goesOnText, reasonOf, stateOf, type Session } from "../common/session";
 import { StateMark } from "../common/StateMark";
 
 const kNone = "none of the usual faults";
@@ -13,9 +13,11 @@ interface Props {
 /** The verdict with its first reason, which is the diagnosis where the fault is known; the others are folded away. */
 export function Verdict({ session, index, diagnosis }: Props) {
   const [first = "", ...others] = reasonOf(session.overview, index).split("; ");
+  const goesOn = goesOnText(session.overview, index);
   return (
     <div class="reason">
-      <StateMark state={stateOf(session.overview, index)} /> {first}
+      <StateMark state={stateOf(session.overview, index)} />{" "}
+      {goesOn ? <span class="goes-on tone-active">{goesOn}</span> : null} {first}
       {others.length > 0 ? (
         <details class="more-reasons">
           <summary>and {others.length} more</summary>

@@ -46,7 +46,7 @@ const suitsLog = (column: Column): boolean =>
   column.some((value) => value !== null && value > 0) &&
   !column.some((value) => value !== null && value < 0);
 
-/** Time and memory, then every metric; only quantities that the run has values for. */
+/** Time, memory and samples, then every metric; only quantities that the run has values for. */
 export function quantitiesOf(overview: Overview): Quantity[] {
   const { cells, metrics, measures } = overview;
   const memory = cells.peak_rss_bytes.map((value) => (value === null ? null : value / 1e6));
@@ -62,6 +62,7 @@ export function quantitiesOf(overview: Overview): Quantity[] {
     cost("cpu_seconds", "CPU time (s)", cells.cpu_seconds),
     cost("render_seconds", "renderer's own time (s)", cells.render_seconds),
     cost("peak_rss_bytes", "peak memory (MB)", memory),
+    cost("spp", "samples per pixel", cells.spp),
     ...metrics.map((metric) => {
       const column = measures[metric.name] ?? [];
       return {

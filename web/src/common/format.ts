@@ -31,3 +31,6 @@ export function rawFloat(value: number): string {
 
 export const withUnit = (text: string, unit: string): string =>
   unit && unit !== "1" ? `${text} ${unit}` : text;
+
+export const counted = (count: number, one: string): string =>
+  `${count} ${one}${count === 1 ? "" : "s"}`;

@@ -1,3 +1,4 @@
+import { counted } from "./format";
 import type { Source } from "../data/source";
 import type { Overview, Progress } from "../data/generated";
 
@@ -56,6 +57,16 @@ export function namesOf(overview: Overview, index: number): CellNames {
 
 export const stateOf = (overview: Overview, index: number) =>
   overview.states[overview.cells.state[index] ?? -1];
+
+/** Whether the state of a cell is the verdict of a look, and more samples may follow. */
+export const isPreliminary = (overview: Overview, index: number): boolean =>
+  overview.cells.preliminary?.[index] === 1;
+
+/** How far a render in looks is: "goes on: 64 samples so far"; "" where none follow. */
+export const goesOnText = (overview: Overview, index: number): string =>
+  isPreliminary(overview, index)
+    ? `goes on: ${counted(overview.cells.spp[index] ?? 0, "sample")} so far`
+    : "";
 
 export const reasonOf = (overview: Overview, index: number): string =>
   overview.reasons[overview.cells.reason[index] ?? -1] ?? "";

@@ -1,8 +1,8 @@
-import { isInfinite, namesOf, stateOf, type CellNames } from "../common/session";
+import { isInfinite, isPreliminary, namesOf, stateOf, type CellNames } from "../common/session";
 import { isOpen } from "../common/states";
 import type { Overview } from "../data/generated";
 
-/** "open" means not rendered before or not rendered after, so that nothing can be compared. */
+/** "open" means not rendered, or not to its end, before or after, so that nothing can be compared. */
 export type Kind = "worse" | "better" | "changed" | "open" | "new" | "gone" | "same";
 
 export interface Change {
@@ -45,6 +45,7 @@ function kindOfSigned(old: number, now: number): Kind | undefined {
 function kindOf(a: Overview, before: number, b: Overview, after: number, metric: string): Kind {
   const [old, now] = [stateOf(a, before), stateOf(b, after)];
   if (!old || !now || isOpen(old) || isOpen(now)) return "open";
+  if (isPreliminary(a, before) || isPreliminary(b, after)) return "open";
   const step = (b.cells.state[after] ?? 0) - (a.cells.state[before] ?? 0);
   const kind = kindOfStates(old.name, now.name, step);
   return kind === "same"

@@ -18,7 +18,7 @@ import { Marker } from "./Marker";
 import { numbersOf, short } from "./quantities";
 import { useTheme, type Theme } from "./theme";
 import type { CostStudy } from "../data/generated";
-import { useWidth } from "./use_width";
+import { useWidth } from "../common/use_width";
 
 interface Props {
   study: CostStudy;

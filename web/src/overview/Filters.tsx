@@ -130,7 +130,8 @@ function Choices({ overview, filter, count, isGallery }: Omit<Props, "box">) {
           {overview.metrics.map((metric) => (
             <option key={metric.name}>{metric.name}</option>
           ))}
-          <option value="wall_seconds">time</option>
+          <option value="wall_seconds">samples and time</option>
+          <option value="spp">samples per pixel</option>
           <option value="peak_rss_bytes">peak memory</option>
         </select>
       </label>

@@ -44,7 +44,7 @@ function useWidth() {
 function usePictures(session: Session, cell: number): Pictures {
   const [found, setFound] = useState<{ cell: number; pictures: Pictures }>();
   const { source, run, overview } = session;
-  const state = overview.cells.state[cell];
+  const state = `${overview.cells.state[cell]} ${overview.cells.spp[cell]}`;
   useEffect(() => {
     if (cell < 0) return undefined;
     const abort = new AbortController();

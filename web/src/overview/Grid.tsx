@@ -1,6 +1,14 @@
 import { useEffect, useState } from "preact/hooks";
 import { bytes, number, seconds } from "../common/format";
-import { isInfinite, namesOf, reasonOf, runQuery, stateOf, type Session } from "../common/session";
+import {
+  goesOnText,
+  isInfinite,
+  namesOf,
+  reasonOf,
+  runQuery,
+  stateOf,
+  type Session,
+} from "../common/session";
 import { lookOf } from "../common/states";
 import type { Overview } from "../data/generated";
 import { note, routeText } from "../route";
@@ -19,8 +27,15 @@ interface Props {
   show: string;
 }
 
+/** The time with the samples that it was taken for: one says little without the other. */
+function timeText({ cells }: Overview, index: number): string {
+  const spp = cells.spp[index] ?? null;
+  return `${spp === null ? "" : `${spp} spp, `}${seconds(cells.wall_seconds[index])}`;
+}
+
 function shown(overview: Overview, show: string, index: number): string {
-  if (show === "wall_seconds") return seconds(overview.cells.wall_seconds[index]);
+  if (show === "wall_seconds") return timeText(overview, index);
+  if (show === "spp") return String(overview.cells.spp[index] ?? "–");
   if (show === "peak_rss_bytes") return bytes(overview.cells.peak_rss_bytes[index]);
   const metric = overview.metrics.find((one) => one.name === show);
   const value = overview.measures[show]?.[index];
@@ -48,12 +63,13 @@ function Cell({ session, index, show, onHover }: CellProps) {
   if (index < 0) return <span role="cell" class="cell none" />;
   const state = stateOf(session.overview, index);
   const look = lookOf(state);
+  const goesOn = goesOnText(session.overview, index);
   const enter = (event: Event): void =>
     onHover({ index, box: (event.currentTarget as HTMLElement).getBoundingClientRect() });
   return (
     <span role="cell" class="cell">
       <a
-        class={`tone-${look.tone}`}
+        class={`tone-${look.tone} ${goesOn ? "preliminary" : ""}`}
         href={cellLink(session, index)}
         onPointerEnter={enter}
         onFocus={enter}
@@ -64,7 +80,11 @@ function Cell({ session, index, show, onHover }: CellProps) {
           {look.symbol}
         </span>
         <span class="word">{state?.name}</span>
-        <span class="value">{shown(session.overview, show, index)}</span>
+        {goesOn ? <span class="unseen"> {goesOn}</span> : null}
+        <span class="value">
+          {goesOn ? <span aria-hidden="true">▸ </span> : null}
+          {shown(session.overview, show, index)}
+        </span>
       </a>
     </span>
   );
@@ -142,7 +162,7 @@ export function Grid({ session, rows, renderers, filter, show }: Props) {
   const several = new Set(overview.cases.map((one) => one.suite)).size > 1;
   return (
     <div
-      class="grid"
+      class={`grid ${show === "wall_seconds" ? "with-samples" : ""}`}
       role="table"
       aria-label="Requirements by renderers"
       aria-rowcount={rows.length + 1}

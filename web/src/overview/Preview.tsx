@@ -1,6 +1,7 @@
 import { useEffect, useState } from "preact/hooks";
-import { bytes, seconds } from "../common/format";
-import { namesOf, reasonOf, type Session } from "../common/session";
+import { bytes, counted, seconds } from "../common/format";
+import { goesOnText, namesOf, reasonOf, type Session } from "../common/session";
+import type { Overview } from "../data/generated";
 import type { Source } from "../data/source";
 
 /** Address of a small picture of the result; undefined if there is none. */
@@ -13,6 +14,19 @@ async function previewOf(source: Source, run: number, index: number): Promise<st
 export interface Hovered {
   index: number;
   box: DOMRect;
+}
+
+/** Samples, time and memory of a cell. */
+function costText(overview: Overview, index: number): string {
+  const { spp, wall_seconds: wall, peak_rss_bytes: memory } = overview.cells;
+  const own = spp[index] ?? null;
+  const samples = own === null ? "" : `${counted(own, "sample")} per pixel`;
+  const parts = [
+    goesOnText(overview, index) || samples,
+    seconds(wall[index]),
+    bytes(memory[index]),
+  ];
+  return parts.filter(Boolean).join(" · ");
 }
 
 /** The thumbnail, the reason and the cost of the cell under the pointer or the focus. */
@@ -47,10 +61,7 @@ export function Preview({ session, hovered }: { session: Session; hovered: Hover
       </p>
       {image ? <img src={image} alt="" width={256} onError={() => setImage(undefined)} /> : null}
       <p>{reasonOf(overview, index)}</p>
-      <p class="quiet">
-        {seconds(overview.cells.wall_seconds[index])} ·{" "}
-        {bytes(overview.cells.peak_rss_bytes[index])}
-      </p>
+      <p class="quiet">{costText(overview, index)}</p>
     </div>
   );
 }

@@ -54,7 +54,8 @@ export async function loadPictures(
   signal: AbortSignal,
   onPictures: (pictures: Pictures) => void,
 ): Promise<void> {
-  const key = `${source.runs[run]} ${cell} ${overview.cells.state[cell]}`;
+  const { state, spp } = overview.cells;
+  const key = `${source.runs[run]} ${cell} ${state[cell]} ${spp[cell]}`;
   const known = kept.get(key);
   if (known) return onPictures(known);
   const pictures: Pictures = {};

@@ -1,3 +1,4 @@
+import { isPreliminary } from "../common/session";
 import type { Overview } from "../data/generated";
 
 /** A row of the grid: a requirement with the worst of its targets, or one target. */
@@ -30,10 +31,9 @@ export interface Filter {
 
 const rank = (overview: Overview, cell: number): number => {
   const state = overview.cells.state[cell] ?? 0;
+  const isFailure = overview.states[state]?.failure && !isPreliminary(overview, cell);
   // A failure of a declared feature ranks above all failures of features that are not declared.
-  return (
-    (overview.cells.declared[cell] ? 1000 : 0) * (overview.states[state]?.failure ? 1 : 0) + state
-  );
+  return (overview.cells.declared[cell] && isFailure ? 1000 : 0) + state;
 };
 
 /** The cell of the row with the worst state by these renderers; -1 if there is none. */
@@ -49,7 +49,7 @@ export function worstCell(overview: Overview, row: Row, renderers: number[]): nu
 /** How bad the shown number of a cell is: costs and errors by size, of others the smallest first. */
 function badness(overview: Overview, show: string, cell: number): number {
   if (cell < 0) return -Infinity;
-  if (show === "wall_seconds" || show === "peak_rss_bytes")
+  if (show === "wall_seconds" || show === "peak_rss_bytes" || show === "spp")
     return overview.cells[show][cell] ?? -Infinity;
   const metric = overview.metrics.find((one) => one.name === show);
   const value = overview.measures[show]?.[cell] ?? null;
