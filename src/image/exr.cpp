@@ -234,8 +234,9 @@ Image decoded_exr(const std::string& name, std::string_view bytes, Wanted wanted
   return image;
 }
 
-std::string encoded_exr(const Image& image, Precision precision) {
-  Imf::Header header(image.width, image.height);  // ZIP, which is lossless
+std::string encoded_exr(const Image& image, Precision precision, Compression compression) {
+  Imf::Header header(image.width, image.height);
+  header.compression() = compression == Compression::Zip ? Imf::ZIP_COMPRESSION : Imf::NO_COMPRESSION;
   // Halves are for what is kept and published: the strongest deflate takes 8 % off the size of noise.
   if (precision == Precision::Half) header.zipCompressionLevel() = 9;
   for (const auto& [name, text] : image.attributes) header.insert(name, Imf::StringAttribute(text));

@@ -14,6 +14,6 @@ namespace orbs::image {
 Image decoded_exr(const std::string& name, std::string_view bytes, Wanted wanted);
 
 /// The file that write_exr writes. The channels are named, each once; with halves no value is beyond them.
-std::string encoded_exr(const Image& image, Precision precision);
+std::string encoded_exr(const Image& image, Precision precision, Compression compression);
 
 }  // namespace orbs::image

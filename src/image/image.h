@@ -39,6 +39,9 @@ struct Image {
 /// floats, because variances span more decades than half floats have. Float: all as they are.
 enum class Precision { Half, Float };
 
+/// Of an EXR file. Zip loses nothing; None is for readers of a few lines.
+enum class Compression { Zip, None };
+
 /// Black image with these channels.
 Image make_image(int width, int height, std::vector<std::string> channels);
 

@@ -216,11 +216,14 @@ Image read_linear_rgb(const std::filesystem::path& file) {
   return linear;
 }
 
-void write_exr(const Image& image, const std::filesystem::path& file, Precision precision) {
+void write_exr(const Image& image,
+               const std::filesystem::path& file,
+               Precision precision,
+               Compression compression) {
   const auto bytes = guarded(file, [&] {
     check_names(image);
     if (precision == Precision::Half) check_range_of_half(image);
-    return encoded_exr(image, precision);
+    return encoded_exr(image, precision, compression);
   });
   write_file(file, bytes);
 }

@@ -31,10 +31,13 @@ Header read_header(const std::filesystem::path& file);
 /// An EXR file whose bytes are at hand, read as read_image does; `name` is for messages.
 Image read_exr(const std::string& name, std::string_view bytes);
 
-/// OpenEXR, ZIP-compressed, attributes in the header; written beside and renamed into place. Equal images
+/// OpenEXR, attributes in the header; written beside and renamed into place. Equal images
 /// give equal files. InputError when two channels share a name, a finite value is beyond the largest half, or
 /// the disk refuses.
-void write_exr(const Image& image, const std::filesystem::path& file, Precision precision = Precision::Float);
+void write_exr(const Image& image,
+               const std::filesystem::path& file,
+               Precision precision = Precision::Float,
+               Compression compression = Compression::Zip);
 
 /// 8-bit PNG of the first three channels (or the first, as grey) of an image that is ready to show: nearest
 /// of 256 steps, what lies outside [0, 1] at its end. Written like an EXR. InputError for NaN, which no PNG

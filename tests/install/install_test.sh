@@ -16,7 +16,7 @@ for library in libembree3 libopenexr libpng libopenimageio libfmt libc6; do
   case $depends in *"$library"*) ;; *) fail "the package does not depend on $library: $depends" ;; esac
 done
 dpkg-deb -x "$package" "$folder/root"
-for file in bin/orbs share/man/man1/orbs.1 share/man/man1/orbs-tracer.1 share/doc/orbs/docs/use/installed.md share/bash-completion/completions/orbs share/zsh/vendor-completions/_orbs \
+for file in bin/orbs share/man/man1/orbs.1 share/man/man1/orbs-tracer.1 share/doc/orbs/docs/use/installed.md share/doc/orbs/examples/minimal-renderer/minimal_renderer.cpp share/bash-completion/completions/orbs share/zsh/vendor-completions/_orbs \
   share/fish/vendor_completions.d/orbs.fish lib/orbs/configuration.json lib/orbs/liborbs-image-formats.so; do
   [ -s "$folder/root/usr/$file" ] || fail "$file is missing"
 done

@@ -194,6 +194,7 @@ OTHER_THAN_SCENES = {
     "case.json": "case",
     "configuration.json": "configuration",
     "algorithms.json": "configuration",
+    "bugs.json": "configuration",
     "irradiance-cache.json": "configuration",
     "render-times.json": "render times",
 }
@@ -215,7 +216,8 @@ def main(root):
     for right, path, value in WRONG:
         if not complaints(changed(right, path, value)):
             problems.append(f"the schema of {right['format']} accepts {value!r} at {path}")
-    files = [root / "configuration.json", *sorted((root / "data/cases").glob("*/*/*.json")), *sorted((root / "data/bench").glob("*.json"))]
+    files = [root / "configuration.json", *sorted((root / "data/cases").glob("*/*/*.json")), *sorted((root / "data/bench").glob("*.json")),
+             *sorted((root / "examples").glob("*/*.json"))]
     for file in files:
         document = json.loads(file.read_text())
         expected = OTHER_THAN_SCENES.get(file.name, "scene")

@@ -11,7 +11,7 @@ case $("$tool" --version) in
   *"version 14."*) ;;
   *) echo "$tool is not version 14, the one that this code is formatted with." >&2; exit 1 ;;
 esac
-find src tests data/snippets include plugins \( -name "*.cpp" -o -name "*.h" -o -name "*.inc" \) -exec "$tool" --dry-run -Werror {} + || {
+find src tests data/snippets examples include plugins \( -name "*.cpp" -o -name "*.h" -o -name "*.inc" \) -exec "$tool" --dry-run -Werror {} + || {
   echo "To format them: clang-format -i <files>" >&2
   exit 1
 }

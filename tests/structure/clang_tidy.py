@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""clang-tidy over every source of src/ and every snippet, each only when it, a header that it includes or a rule changed.
+"""clang-tidy over every source of src/ and examples/ and every snippet, each only when it, a header that it includes or
+a rule changed.
 
     clang_tidy.py <repository> <build folder>
 
@@ -113,7 +114,7 @@ def main(root, build):
     # A snippet's own source, written by tests/CMakeLists.txt, is the only one that sees all of them.
     # What a test compiles again is checked once.
     entries = {e["file"]: e for e in by_source(configured(root, folder / "commands"))
-               if e["file"].startswith(f"{src}/") or e["file"].endswith("_alone.cpp")}.values()
+               if e["file"].startswith((f"{src}/", f"{root}/examples/")) or e["file"].endswith("_alone.cpp")}.values()
     known = {}
     for entry in entries:
         entry["mark"] = fingerprint(entry, src, rules, known)

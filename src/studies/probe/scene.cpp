@@ -138,7 +138,7 @@ void write_ramp(const std::filesystem::path& file) {
       image.at(x, y, 1) = 1 - (static_cast<float>(y) + 0.5F) / kRampSize;
       image.at(x, y, 2) = 1;
     }
-  image::write_exr(image, file);
+  image::write_exr(image, file, image::Precision::Float, image::Compression::None);
 }
 
 scene::Scene make_uv_pass(const ProbeScene& probe, const std::filesystem::path& ramp) {

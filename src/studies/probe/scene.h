@@ -34,7 +34,7 @@ ProbeScene make_id_pass(const scene::Scene& original, int most_px);
 inline constexpr int kRampSize = 256;
 
 /// Writes the ramp texture of kRampSize^2 texels. The colour of a texel is the coordinate of its centre:
-/// R = u, G = v, B = 1.
+/// R = u, G = v, B = 1. An EXR of floats without compression: who writes a renderer reads it in a few lines.
 void write_ramp(const std::filesystem::path& file);
 
 /// `probe` with all materials emitting the texture `ramp` instead of their ids: red is the fractional part of

@@ -1,11 +1,15 @@
 // Painted images of a probe: the right one, and what comes of a wrong camera, a lost or exchanged object.
+#include "base/files.h"
 #include "scene/geometry/generators.h"
 #include "scene/load/load_scene.h"
 #include "scene/lower/lower.h"
 #include "studies/probe/compare.h"
+#include "studies/probe/scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -181,4 +185,24 @@ TEST(Probe, ExchangedTextureCoordinatesAreSeen) {
   const auto wrong = studies::compare_uv_pass(probe, surfaces, painted_coordinates(probe.scene, true));
   ASSERT_EQ(wrong.mismatches.size(), 2U);
   EXPECT_NE(wrong.mismatches[0].instead.find("where it has"), std::string::npos);
+}
+
+// Who writes a renderer reads it in a few lines, without a library.
+TEST(Probe, TheRampIsAnExrWithoutCompression) {
+  const ScratchFolder scratch("probe-ramp");
+  const auto file = scratch.path() / "ramp.exr";
+  studies::write_ramp(file);
+  const auto text = read_file(file);
+  constexpr std::size_t kLine = 8 + 3 * sizeof(float) * studies::kRampSize;  // its place and size, B, G and R
+  ASSERT_GT(text.size(), kLine * studies::kRampSize);
+  const auto line_of = [&](int y) {
+    std::array<float, 3 * studies::kRampSize> line{};
+    std::memcpy(line.data(),
+                &text[text.size() - kLine * static_cast<std::size_t>(studies::kRampSize - y) + 8],
+                sizeof line);
+    return line;
+  };
+  EXPECT_EQ(line_of(0)[0], 1);
+  EXPECT_EQ(line_of(0)[studies::kRampSize], 255.5F / 256);
+  EXPECT_EQ(line_of(200)[3 * studies::kRampSize - 1], 255.5F / 256);
 }
