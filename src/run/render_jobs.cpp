@@ -50,13 +50,14 @@ JudgedJob run_or_keep(RenderSession& session, std::size_t index) {
     count_done(session, kept, false);
     return kept;
   }
-  if (is_stopped(session)) return skipped_job(session, index);
+  if (is_stopped(session)) return skipped_job(session, index, now);
   if (!earlier.reason.empty()) say(session, now, earlier.reason);
   const auto& job = session.plan.jobs[index];
   auto execution =
       earlier.step == Step::Judge ? take_over(earlier.found->job, job.folder, session.folders) : std::nullopt;
   if (!execution) execution = render_job(session, index, job);
-  if (execution->record.end.outcome == JobOutcome::Skipped) return skipped_job(session, index);
+  if (execution->record.end.outcome == JobOutcome::Skipped)
+    return skipped_job(session, index, execution->record);
   auto judged = judge_and_place(session, index, std::move(*execution));
   count_done(session, judged, true);
   return judged;

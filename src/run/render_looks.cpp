@@ -112,7 +112,7 @@ JudgedJob look_at_job(RenderSession& session, std::size_t index, const JudgedJob
   if (execution.record.end.outcome == JobOutcome::Skipped) {
     // Interrupted: what the looks before have left stays.
     if (before.job.sampling.looks > 0) return before;
-    return skipped_job(session, index);
+    return skipped_job(session, index, execution.record);
   }
   auto judged = judge_and_place(session, index, std::move(execution));
   place_paths(session, index, before, judged);
@@ -209,7 +209,7 @@ void end_group(RenderSession& session, JobGroup& group, std::vector<JudgedJob>& 
                   [&](results::TargetRecord& target, const judge::Look& look, const auto& jobs) {
                     const End end = end_of(look);
                     if (target.verdict == Verdict::Inconclusive && !end.text.empty())
-                      target.reason += "; undecided: " + end.text;
+                      target.reason = fmt::format("undecided: {}; {}", end.text, target.reason);
                     for (const auto job : jobs)
                       if (auto& name = ends[job]; name.empty() || name == "decided") name = end.name;
                   });
@@ -233,7 +233,7 @@ void begin(RenderSession& session, JobGroup& group, std::vector<JudgedJob>& resu
     if (earlier.is_found) {
       results[job] = std::move(earlier.judged);
     } else if (is_stopped(session)) {
-      results[job] = skipped_job(session, job);
+      results[job] = skipped_job(session, job, session.at_start[job]);
     } else {
       results[job] = look_at_job(session, job, {session.at_start[job], {}, {}});
     }

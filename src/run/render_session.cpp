@@ -79,10 +79,10 @@ Execution render_job(RenderSession& session, std::size_t index, const PlannedJob
   return execution;
 }
 
-JudgedJob skipped_job(const RenderSession& session, std::size_t index) {
+JudgedJob skipped_job(const RenderSession& session, std::size_t index, const JobRecord& record) {
   std::error_code ignored;
   fs::remove_all(session.folders.unfinished / session.plan.jobs[index].folder, ignored);
-  JudgedJob skipped{session.at_start[index], {}, {}};
+  JudgedJob skipped{record, {}, {}};
   for (auto& target : judge_scene(session.plan, index, {skipped.job, {}}, session.folders)) {
     skipped.targets.push_back(std::move(target.record));
     skipped.looks.emplace_back();

@@ -38,9 +38,9 @@ void say(RenderSession& session, const results::JobRecord& job, const std::strin
 /// Renders the job at `index`: `job` is that of the plan, or one of its looks.
 Execution render_job(RenderSession& session, std::size_t index, const PlannedJob& job);
 
-/// A job that is not rendered, because the run ends. Leaves nothing on disk, so that a resumed run renders
-/// it.
-JudgedJob skipped_job(const RenderSession& session, std::size_t index);
+/// A job that is not rendered, because the run ends: `record` says why. Leaves nothing on disk, so that a
+/// resumed run renders it.
+JudgedJob skipped_job(const RenderSession& session, std::size_t index, const results::JobRecord& record);
 
 /// Judges the image of a job from its unfinished folder, and puts that in place. WriteError on a full disk.
 JudgedJob judge_and_place(RenderSession& session, std::size_t index, Execution execution);

@@ -130,7 +130,7 @@ TEST(Cost, ASpentBudgetEndsTheStudyAndWhatIsMissingIsNamed) {
 TEST(Cost, AStudyOfAnEarlierVersionIsShown) {
   const Sandbox sandbox;
   const auto answer =
-      sandbox.orbs({"cost", "--show", ORBS_SOURCE_DIR "/docs/reports/cost-1-4.json", "--markdown"});
+      sandbox.orbs({"cost", "--show", ORBS_SOURCE_DIR "/tests/data/cost-2.json", "--markdown"});
   ASSERT_EQ(answer.status, 0) << answer.text;
   EXPECT_TRUE(contains(answer.text, "orbs twice on 1 scene:")) << answer.text;
   EXPECT_TRUE(contains(answer.text, "other work on the machine: not measured")) << answer.text;
