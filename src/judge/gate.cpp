@@ -243,7 +243,7 @@ Check check_pixels(const registry::PixelCheck& check, const image::Image& image)
     out.passed =
         out.passed && std::fabs(mean.at(c) - check.expected.at(c)) + check.standard_errors * errors.at(c) <=
                           check.tolerance;
-  const auto noise = check.standard_errors > 0 ? fmt::format(" with {} standard errors of ({:.2g})",
+  const auto noise = check.standard_errors > 0 ? fmt::format(" with {:.3g} standard errors of ({:.2g})",
                                                              check.standard_errors, fmt::join(errors, ", "))
                                                : "";
   out.reason =
