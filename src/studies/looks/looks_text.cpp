@@ -23,7 +23,7 @@ std::string share_text(int count, int of) {
   const double p = count / n;
   const double middle = (p + kZ * kZ / (2 * n)) / (1 + kZ * kZ / n);
   const double reach = kZ / (1 + kZ * kZ / n) * std::sqrt(p * (1 - p) / n + kZ * kZ / (4 * n * n));
-  return fmt::format("{:.4g} % ({:.2g} to {:.4g})", kPercent * p, kPercent * std::max(0.0, middle - reach),
+  return fmt::format("{:.3g} % ({:.3g} to {:.3g})", kPercent * p, kPercent * std::max(0.0, middle - reach),
                      kPercent * std::min(1.0, middle + reach));
 }
 
