@@ -50,7 +50,9 @@ constexpr std::array kErrors{0.0, 1.0, 1.5, 3.0};
 
 using Values = std::vector<double>;  // one per pixel and channel
 
-std::size_t index_of(int x, int y) { return static_cast<std::size_t>(y * kSide_px + x); }
+std::size_t index_of(int x, int y) {
+  return static_cast<std::size_t>(y) * kSide_px + static_cast<std::size_t>(x);
+}
 
 // A gradient with squares of twice the light: edges, tiles, dark and bright.
 Values scene_values() {
