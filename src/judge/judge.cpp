@@ -135,12 +135,6 @@ std::vector<GateResult> check_conditions(const Case& one_case,
   return results;
 }
 
-Verdict worst_of(const std::vector<GateResult>& results) {
-  auto worst = results.front().verdict;
-  for (const auto& result : results) worst = results::worse(worst, result.verdict);
-  return worst;
-}
-
 // The worst verdict, with the reasons of all results that have it, the farthest from its limit first. The
 // reason of a pass is that of the first gate.
 void take_worst(std::vector<GateResult> results, TargetRecord& record) {
@@ -255,51 +249,6 @@ void refuse_constant_by_checks(const Case& one_case, const image::Image& result,
     else if (is_black && check.expected != no_light)
       take(record, Verdict::ConstantImage, "every pixel is black, and the checks expect light");
   }
-}
-
-// Of a gate that passes: how near the interval comes to its limits.
-double nearness(const GateResult& result) {
-  return result.low && result.high ? std::max(std::fabs(*result.low), std::fabs(*result.high)) : 0;
-}
-
-// The verdict is open where noise alone leaves it so.
-Look look_at(const std::vector<GateResult>& results, const Looks& looks) {
-  Look look;
-  if (looks.most == 1 || results.empty()) return look;
-  const auto worst = worst_of(results);
-  look.is_open = worst == Verdict::Inconclusive;
-  const auto rank = [&](const GateResult& result) {
-    if (worst == Verdict::Inconclusive) return result.need ? result.need->samples : Need::kNever;
-    return worst == Verdict::Pass ? nearness(result) : result.excess;
-  };
-  const GateResult* first = nullptr;
-  for (const auto& result : results) {
-    if (result.verdict != worst) continue;
-    if (worst == Verdict::Inconclusive) {
-      look.is_open = look.is_open && result.need.has_value();
-      const auto need = result.need.value_or(Need{});
-      look.need.at_best = std::max(look.need.at_best, need.at_best);
-      look.need.is_reference = look.need.is_reference || need.is_reference;
-    }
-    if (first == nullptr || rank(result) > rank(*first)) first = &result;
-  }
-  if (worst == Verdict::Inconclusive && first->need) {
-    look.need.samples = first->need->samples;
-    look.need.is_edge = first->need->is_edge;
-  }
-  look.gate = *first;
-  return look;
-}
-
-// What only samples can tell that the case asks for: whether an image is black for lack of them, and whether
-// it has an error that noise hides.
-Look opened_where_early(Look look, const Looks& looks, const TargetRecord& record) {
-  if (looks.most == 1 || looks.of_first_guess >= 1) return look;
-  const bool hides = results::passes(record.verdict) && !record.hidden.empty();
-  if (!hides && record.verdict != Verdict::ConstantImage) return look;
-  look.is_open = true;
-  look.need = {1 / looks.of_first_guess, 1};
-  return look;
 }
 
 // Where no reference is meant to be, the checks decide: all that can be measured must pass, and one must be.

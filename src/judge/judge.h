@@ -1,7 +1,7 @@
 #pragma once
 
 #include "image/image.h"
-#include "judge/gate.h"
+#include "judge/look.h"
 #include "judge/reference.h"
 #include "metrics/compare.h"
 #include "metrics/mask.h"
@@ -9,7 +9,6 @@
 #include "registry/case.h"
 #include "results/record.h"
 
-#include <array>
 #include <optional>
 #include <string>
 
@@ -25,26 +24,11 @@ bool is_difference(const registry::Case& one_case, const std::string& target);
 /// Every metric, or no more than the verdict rests on, which is the same either way.
 enum class Measured { Everything, ForTheVerdict };
 
-/// Of an image that gets samples until it is decided.
-struct Looks {
-  int most = 1;               // that the error rates hold for; 1: the samples are fixed
-  double sample_ratio = 0;    // samples of the reference over those of the image; 0: not known
-  double of_first_guess = 1;  // samples of the image over those that its case asks for
-  const std::array<image::Image, 2>* halves = nullptr;  // of its samples, see metrics::PairSettings
-};
-
 struct JudgeSettings {
   int threads = 1;
   Measured measured = Measured::Everything;
   metrics::ResultNoise result_noise = metrics::ResultNoise::AsTheImageSays;
   Looks looks = {};
-};
-
-/// What one look saw.
-struct Look {
-  bool is_open = false;  // more samples may change the verdict
-  Need need{1, 1};       // of the gate that needs most, where it is open
-  GateResult gate = {};  // that decided, or needs most
 };
 
 struct Judgement {

@@ -4,6 +4,7 @@
 #include "registry/placeholders.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -16,17 +17,9 @@ constexpr int kFewest = 16;
 constexpr int kOfTheCase = 4;
 constexpr int kSeeds = 2048;  // a renderer's seed_stride of a million times that is a seed of 32 bits
 
-int power_of_two_below(int number) {
-  int power = 1;
-  while (power <= number / 2) power *= 2;
-  return power;
-}
+int power_of_two_below(int number) { return static_cast<int>(std::bit_floor(static_cast<unsigned>(number))); }
 
-int power_of_two_above(int number) {
-  int power = 1;
-  while (power < number) power *= 2;
-  return power;
-}
+int power_of_two_above(int number) { return static_cast<int>(std::bit_ceil(static_cast<unsigned>(number))); }
 
 // The step is odd, so as many as there are seeds differ.
 int seed_of(int run_seed, int render) {
