@@ -5,6 +5,7 @@
 #include "tracer/trial_image.h"
 #include "tracer/world/build_world.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -34,6 +35,14 @@ constexpr double kConnectionsWorthwhile = 0.3;
 // on.
 constexpr double kFewestContributions = 0.25;
 
+// A trial that shows no light at all says nothing against light paths, which may be the only ones that find
+// any: that of a prism behind a slit.
+bool is_black(const Trial& trial) {
+  const auto is_zero = [](float value) { return value == 0; };
+  return std::ranges::all_of(trial.images,
+                             [&](const auto& image) { return std::ranges::all_of(image.pixels, is_zero); });
+}
+
 }  // namespace
 
 RenderTime choose_light(World& world, const RenderSettings& settings, LightChoices open) {
@@ -61,13 +70,12 @@ RenderTime choose_light(World& world, const RenderSettings& settings, LightChoic
     else
       std::swap(technique, in_world);
   };
-  const auto keep_if_better = [&](auto& technique, auto& in_world, double worthwhile,
-                                  double fewest_contributions = 0) {
-    keep_if(technique, in_world, [&](const Trial& with) {
-      const auto errors = relative_errors(with, best);
-      return with.light_path_contributions >= fewest_contributions &&
-             errors.first < worthwhile * errors.second;
-    });
+  const auto is_lower = [&](const Trial& with, double worthwhile) {
+    const auto errors = relative_errors(with, best);
+    return errors.first < worthwhile * errors.second;
+  };
+  const auto keep_if_better = [&](auto& technique, auto& in_world, double worthwhile) {
+    keep_if(technique, in_world, [&](const Trial& with) { return is_lower(with, worthwhile); });
   };
   if (!bvh.empty()) {
     LightBvh learned = bvh;
@@ -80,7 +88,10 @@ RenderTime choose_light(World& world, const RenderSettings& settings, LightChoic
       });
   }
   if (!casters.empty())
-    keep_if_better(casters, world.caustic_casters, kPathsWorthwhile, kFewestContributions);
+    keep_if(casters, world.caustic_casters, [&](const Trial& with) {
+      return is_black(best) ||
+             (with.light_path_contributions >= kFewestContributions && is_lower(with, kPathsWorthwhile));
+    });
   if (connects) {
     add(time, learn_light_guides(world, settings));
     keep_if_better(connects, world.connects_light_vertices, kConnectionsWorthwhile);

@@ -1,4 +1,5 @@
 // Light paths against camera paths alone, and against mirrored light sampling.
+#include "scene/load/load_scene.h"
 #include "tracer/choose_light.h"
 #include "tracer/world/build_world.h"
 #include "unit/tracer/scenes.h"
@@ -233,6 +234,15 @@ TEST(TracerLightPaths, AreChosenWhereCameraPathsHardlyEverFindTheCaustic) {
                   "matrix": [{"translate": [0, 5, 0]}]})")),
       true);
   EXPECT_TRUE(are_light_paths_chosen(world));
+}
+
+// The only light comes through a slit and a prism, and no camera path of a trial finds it.
+TEST(TracerLightPaths, AreChosenWhereCameraPathsFindNoLightAtAll) {
+  auto scene = scene::load_scene(ORBS_SOURCE_DIR "/data/cases/appearance/e6_dispersion/prism_SF10.json");
+  scene.camera.width_px = scene.camera.height_px = 80;
+  auto world = tracer::make_world(scene, {.light_paths = true});
+  tracer::choose_light(world, {.samples_per_pixel = 16}, {.selection = false, .connections = false});
+  EXPECT_FALSE(world.caustic_casters.empty());
 }
 
 TEST(TracerLightPaths, AreNotChosenForAGlimpseThatTheyHardlyHit) {
