@@ -112,6 +112,18 @@ std::string first_of(const std::vector<std::string>& names) {
                      shown < names.size() ? ", ..." : "");
 }
 
+// "errors of 2 targets not compared, as their numbers of samples differ (a, b)".
+void note_other_samples(const std::vector<TargetPair>& pairs, std::vector<std::string>& notes) {
+  std::vector<std::string> names;
+  for (const auto& pair : pairs)
+    if (pair.has_other_samples && pair.not_compared.empty() && has_numbers(*pair.before) &&
+        has_numbers(*pair.after))
+      names.push_back(pair.after->renderer + " " + pair.after->target);
+  if (!names.empty())
+    notes.push_back(fmt::format("errors of {} not compared, as their numbers of samples differ ({})",
+                                targets_text(names.size()), first_of(names)));
+}
+
 void note_only_in(const std::vector<std::string>& names,
                   const std::string& run,
                   std::vector<std::string>& notes) {
@@ -160,6 +172,7 @@ RunComparison compare_pairs(const RunPair& pair,
   }
   sort_worst_first(comparison.changes);
   note_lost(comparison.lost, comparison.notes);
+  note_other_samples(pair.targets, comparison.notes);
   note_times(pair.jobs, comparison.notes);
   return comparison;
 }

@@ -16,8 +16,8 @@ enum class Loss { Vanished, NotRendered, NotComparable };
 /// "vanished", "not rendered", "no longer comparable".
 std::string loss_name(Loss loss);
 
-/// A target of the earlier run that cannot be compared. NotComparable: its numbers, since its samples or its
-/// reference are others; its verdicts are compared all the same.
+/// A target of the earlier run that cannot be compared. NotComparable: its numbers, since its reference is
+/// another one; its verdicts are compared all the same.
 struct LostTarget {
   Loss loss;
   std::string target;  // "cycles 101"

@@ -149,6 +149,7 @@ std::vector<Candidate> light_candidates(const RunPair& pair) {
 std::vector<Candidate> error_candidates(const RunPair& pair) {
   std::vector<Candidate> candidates;
   for (const auto& one : distinct(pair)) {
+    if (one.has_other_samples) continue;
     const auto before = mean_squared_error(*one.before);
     const auto after = mean_squared_error(*one.after);
     if (!before || !after) continue;

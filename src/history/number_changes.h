@@ -30,7 +30,8 @@ std::optional<Estimate> mean_squared_error(const results::TargetRecord& target);
 /// cases judge count once, differences of scenes not.
 std::vector<Candidate> light_candidates(const RunPair& pair);
 
-/// Tests whether the mean squared error of each target differs.
+/// Tests whether the mean squared error of each target differs, where both images have the same samples: as a
+/// verdict asks for as many as it needs, other numbers of them are no change of a renderer.
 std::vector<Candidate> error_candidates(const RunPair& pair);
 
 }  // namespace orbs::history

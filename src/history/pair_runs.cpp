@@ -46,12 +46,9 @@ std::string why_not_rendered(const TargetPair& pair, const Side& before, const S
   return "";
 }
 
-// What has no image has neither samples nor a reference to be compared; its verdict says why.
-std::string why_no_numbers(const TargetPair& pair, const Side& before, const Side& after) {
+// What has no image has no reference to be compared; its verdict says why.
+std::string why_no_numbers(const TargetPair& pair) {
   if (!has_numbers(*pair.before) || !has_numbers(*pair.after)) return "";
-  const auto spp_before = samples_of(*pair.before, before.jobs);
-  const auto spp_after = samples_of(*pair.after, after.jobs);
-  if (spp_before != spp_after) return fmt::format("{} spp before, {} now", spp_before, spp_after);
   if (pair.before->reference_provenance != pair.after->reference_provenance)
     return "the reference is another one";
   return "";
@@ -61,9 +58,10 @@ TargetPair pair_of(const TargetRecord& of_before,
                    const TargetRecord& of_after,
                    const Side& before,
                    const Side& after) {
-  TargetPair pair{&of_before, &of_after, "", ""};
+  TargetPair pair{&of_before, &of_after};
   pair.not_rendered = why_not_rendered(pair, before, after);
-  pair.not_compared = why_no_numbers(pair, before, after);
+  pair.not_compared = why_no_numbers(pair);
+  pair.has_other_samples = samples_of(of_before, before.jobs) != samples_of(of_after, after.jobs);
   return pair;
 }
 
@@ -72,7 +70,7 @@ std::string why_no_times(const JobRecord& before, const JobRecord& after) {
   if (machine.empty() || machine != results::timing_machine(after.cost.host))
     return "another kind of machine";
   if (before.identity.spp != after.identity.spp || before.identity.seeds != after.identity.seeds)
-    return fmt::format("{} spp before, {} now", before.identity.spp, after.identity.spp);
+    return "other numbers of samples";
   if (before.program.threads != after.program.threads)
     return fmt::format("{} threads before, {} now", before.program.threads, after.program.threads);
   return "";

@@ -11,9 +11,10 @@ namespace orbs::history {
 struct TargetPair {
   const results::TargetRecord* before;
   const results::TargetRecord* after;
-  std::string not_rendered;  // why there is nothing to compare; "" if both were rendered
-  std::string not_compared;  // why numbers of two images are not compared ("64 spp before, 128 now"); "" if
-                             // they are, or there are not two
+  std::string not_rendered{};      // why there is nothing to compare; "" if both were rendered
+  std::string not_compared{};      // why numbers of two images are not compared; "" if they are, or there are
+                                   // not two
+  bool has_other_samples = false;  // so that the errors of its two images are none of the same thing
 };
 
 /// One render in two runs, both of which left an image. Points into both records.
