@@ -1,6 +1,8 @@
 // Stripes whose edges are filtered, halved in resolution, or only noisy.
 #include "metrics/edge_blur.h"
 
+#include "metrics/image_pair.h"
+
 #include <cmath>
 #include <random>
 
@@ -115,6 +117,19 @@ TEST(EdgeBlur, TheChannelsOfAPixelAreNotThreePixels) {
     grey.pixels[i + 1] = grey.pixels[i + 2] = grey.pixels[i];
   EXPECT_NEAR(metrics::edge_blur(metrics::pair_samples(grey, stripes()))->standard_error / independent,
               std::sqrt(3.0), 0.1);
+}
+
+// The few pixels at edges have met no firefly of a renderer whose samples say that there are some.
+TEST(EdgeBlur, PassesByTheNoiseThatTheNumbersOfSamplesSay) {
+  std::mt19937 random(4);
+  const auto pair =
+      metrics::make_image_pair(stripes(), noisy_reference(random), {}, {.looks = 12, .sample_ratio = 100});
+  const auto blur = metrics::edge_blur(pair);
+  ASSERT_TRUE(blur);
+  ASSERT_GT(blur->expected_error, 2 * blur->standard_error);
+  const auto result = metrics::compute_edge_blur(pair);
+  EXPECT_GT(result.to_pass->high - blur->value, 3 * blur->expected_error);
+  EXPECT_GT(blur->value - result.to_pass->low, 3 * blur->expected_error);
 }
 
 TEST(EdgeBlur, MaskedEdgesDoNotCount) {
