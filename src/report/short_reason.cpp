@@ -2,18 +2,32 @@
 
 #include "base/text_table.h"
 
+#include <string_view>
+
 namespace orbs::report {
 
 namespace {
 
 constexpr std::size_t kMostCharacters = 100;
 
-// Without what stands in parentheses, and up to the first "; " outside of them.
+// "(2, -0.5)", which a sentence cannot do without.
+bool is_point(std::string_view bracket) {
+  return bracket.find(',') != std::string_view::npos &&
+         bracket.find_first_not_of("(0123456789-., ") == std::string_view::npos;
+}
+
+// Without what stands in parentheses, but for points, and up to the first "; " outside of them.
 std::string first_part(const std::string& reason) {
   std::string out;
   int depth = 0;
-  for (const char c : reason) {
-    if (c == '(') {
+  for (std::size_t i = 0; i < reason.size(); ++i) {
+    const char c = reason[i];
+    const auto end = reason.find(')', i);
+    if (c == '(' && depth == 0 && end != std::string::npos &&
+        is_point(std::string_view(reason).substr(i, end - i))) {
+      out += reason.substr(i, end + 1 - i);
+      i = end;
+    } else if (c == '(') {
       if (depth++ == 0 && out.ends_with(' ')) out.pop_back();
     } else if (c == ')' && depth > 0) {
       --depth;

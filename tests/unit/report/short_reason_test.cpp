@@ -9,6 +9,8 @@ TEST(ShortReason, IsTheFirstSentenceWithoutWhatStandsInParentheses) {
   EXPECT_EQ(short_reason("B is darker (43 % to 40 %; measured), at most 0.7 % is allowed; G is darker"),
             "B is darker, at most 0.7 % is allowed ...");
   EXPECT_EQ(short_reason("no end (of it"), "no end (of it");
+  EXPECT_EQ(short_reason("shifted by (0.5, -2) px (measured): then 60.2 dB"),
+            "shifted by (0.5, -2) px: then 60.2 dB ...");
 }
 
 TEST(ShortReason, IsCutBetweenWords) {
