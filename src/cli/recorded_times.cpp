@@ -1,5 +1,6 @@
 #include "cli/recorded_times.h"
 
+#include "base/duration.h"
 #include "base/error.h"
 #include "registry/image_size.h"
 #include "results/record.h"
@@ -63,9 +64,9 @@ std::size_t take_times(const results::RunRecord& run, const run::Plan& plan, Rec
     for (const auto& planned : plan.jobs)
       if (plan.scenes[planned.scene].name == was.scene &&
           plan.renderers[planned.renderer].entry.name == was.renderer) {
-        added +=
-            times.seconds.emplace(planned.id, job.cost.wall_seconds * planned.spp / was.spp * share * share)
-                .second;
+        const bool as_needed = planned.first_spp > 0 && job.sampling.looks > 0;
+        const double samples = as_needed ? 1 : static_cast<double>(planned.spp) / was.spp;
+        added += times.seconds.emplace(planned.id, job.cost.wall_seconds * samples * share * share).second;
         if (share == 1 && job.program.threads >= plan.threads && job.cost.peak_rss_bytes > 0)
           times.peak_rss_bytes.emplace(planned.id, job.cost.peak_rss_bytes);
       }
@@ -114,14 +115,6 @@ RecordedTimes recorded_times(const run::Plan& plan,
   take_shipped_times(plan, times);
   for (const auto& folder : resumed) take_finished(plan, folder, times);
   return times;
-}
-
-std::string duration_text(double seconds) {
-  constexpr double kMinute = 60;
-  constexpr double kHour = 3600;
-  if (seconds < 1.5 * kMinute) return fmt::format("{:.0f} s", std::max(seconds, 1.0));
-  if (seconds < 1.5 * kHour) return fmt::format("{:.0f} min", seconds / kMinute);
-  return fmt::format("{:.1f} h", seconds / kHour);
 }
 
 std::string amount_text(const run::Plan& plan, const RecordedTimes& times) {

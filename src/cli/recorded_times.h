@@ -25,15 +25,13 @@ struct RecordedTimes {
 std::vector<std::filesystem::path> results_files(const std::set<std::filesystem::path>& folders);
 
 /// As far as earlier runs tell: the newest in `folders`, under any name, and the runs in
-/// `resumed`, finished or not, which come first. Times of other sample counts are scaled and, where a render
+/// `resumed`, finished or not, which come first. Times of other sample counts are scaled, but not where both
+/// take as many as a verdict needs, and, where a render
 /// was never timed at this size, those of other sizes. For the rest, the times that come with the program
 /// (data/bench): CPU seconds of another machine, shared by the threads of a job.
 RecordedTimes recorded_times(const run::Plan& plan,
                              const std::set<std::filesystem::path>& folders,
                              const std::vector<std::filesystem::path>& resumed);
-
-/// "45 s", "12 min", "5.2 h".
-std::string duration_text(double seconds);
 
 /// "113 renders, about 5 h"; where not all were timed, of how many that is known, and where others timed
 /// them.

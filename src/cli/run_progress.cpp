@@ -1,5 +1,6 @@
 #include "cli/run_progress.h"
 
+#include "base/duration.h"
 #include "base/terminal.h"
 #include "base/text.h"
 #include "base/text_table.h"

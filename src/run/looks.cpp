@@ -1,5 +1,6 @@
 #include "run/looks.h"
 
+#include "base/duration.h"
 #include "base/files.h"
 #include "registry/placeholders.h"
 
@@ -26,14 +27,6 @@ int seed_of(int run_seed, int render) {
   constexpr int kStep = 1103;
   const auto start = static_cast<int>(content_hash(fmt::format("looks {}", run_seed)) % kSeeds);
   return 1 + (start + render * kStep) % kSeeds;
-}
-
-std::string about(double seconds) {
-  constexpr double kMinute = 60;
-  constexpr double kHour = 3600;
-  if (seconds < 2 * kMinute) return fmt::format("{:.0f} s", std::max(1.0, seconds));
-  if (seconds < 2 * kHour) return fmt::format("{:.0f} min", seconds / kMinute);
-  return fmt::format("{:.0f} h", seconds / kHour);
 }
 
 }  // namespace
@@ -80,7 +73,7 @@ End end_by_budget(const judge::Look& look, double seconds) {
   if (!std::isfinite(times))
     return {"budget", "its noise; the budget ended before it could be told how much"};
   return {"budget", fmt::format("its noise: about {:.2g} times the samples ({}) would decide it",
-                                std::max(2.0, times), about(seconds * std::max(2.0, times)))};
+                                std::max(2.0, times), duration_text(seconds * std::max(2.0, times)))};
 }
 
 End end_after(const judge::Look& look, int looks, double seconds, double budget_seconds) {

@@ -58,7 +58,8 @@ JudgedJob run_or_keep(RenderSession& session, std::size_t index) {
   if (!execution) execution = render_job(session, index, job);
   if (execution->record.end.outcome == JobOutcome::Skipped)
     return skipped_job(session, index, execution->record);
-  auto judged = judge_and_place(session, index, std::move(*execution));
+  auto judged = judge_job(session, index, std::move(*execution));
+  place_job(session, index, judged);
   count_done(session, judged, true);
   return judged;
 }

@@ -101,10 +101,14 @@ void continue_paths(const JudgedJob& before, JudgedJob& judged) {
   }
 }
 
-// The job.json was written without the paths; the targets get theirs, and the file is written anew.
-void place_paths(RenderSession& session, std::size_t index, const JudgedJob& before, JudgedJob& judged) {
+JudgedJob judge_and_place(RenderSession& session,
+                          std::size_t index,
+                          const JudgedJob& before,
+                          Execution execution) {
+  auto judged = judge_job(session, index, std::move(execution));
   continue_paths(before, judged);
-  write_job(session, session.folders.run / session.plan.jobs[index].folder, judged);
+  place_job(session, index, judged);
+  return judged;
 }
 
 JudgedJob look_at_job(RenderSession& session, std::size_t index, const JudgedJob& before) {
@@ -114,9 +118,7 @@ JudgedJob look_at_job(RenderSession& session, std::size_t index, const JudgedJob
     if (before.job.sampling.looks > 0) return before;
     return skipped_job(session, index, execution.record);
   }
-  auto judged = judge_and_place(session, index, std::move(execution));
-  place_paths(session, index, before, judged);
-  return judged;
+  return judge_and_place(session, index, before, std::move(execution));
 }
 
 // What an earlier run has left: nothing, what is done, or looks that go on, judged by today's cases.
@@ -148,8 +150,7 @@ Earlier earlier_job(RenderSession& session, std::size_t index) {
     return {};
   }
   execution->record.sampling.end = "";
-  auto judged = judge_and_place(session, index, std::move(*execution));
-  place_paths(session, index, kept, judged);
+  auto judged = judge_and_place(session, index, kept, std::move(*execution));
   return {true, found.sampling.looks == 0, std::move(judged)};
 }
 

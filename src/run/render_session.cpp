@@ -90,7 +90,7 @@ JudgedJob skipped_job(const RenderSession& session, std::size_t index, const Job
   return skipped;
 }
 
-JudgedJob judge_and_place(RenderSession& session, std::size_t index, Execution execution) {
+JudgedJob judge_job(RenderSession& session, std::size_t index, Execution execution) {
   const auto& folders = session.folders;
   const auto& job = session.plan.jobs[index];
   auto& record = execution.record;
@@ -107,10 +107,15 @@ JudgedJob judge_and_place(RenderSession& session, std::size_t index, Execution e
     judged.looks.push_back(target.look);
   }
   judged.job = std::move(record);
-  write_job(session, folders.unfinished / job.folder, judged);
-  make_own_folder(folders.run, (folders.run / job.folder).parent_path());
-  put_in_place(folders.unfinished / job.folder, folders.run / job.folder);
   return judged;
+}
+
+void place_job(RenderSession& session, std::size_t index, JudgedJob& judged) {
+  const auto& folders = session.folders;
+  const auto& folder = session.plan.jobs[index].folder;
+  write_job(session, folders.unfinished / folder, judged);
+  make_own_folder(folders.run, (folders.run / folder).parent_path());
+  put_in_place(folders.unfinished / folder, folders.run / folder);
 }
 
 void write_job(const RenderSession& session, const fs::path& folder, JudgedJob& judged) {

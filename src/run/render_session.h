@@ -42,8 +42,11 @@ Execution render_job(RenderSession& session, std::size_t index, const PlannedJob
 /// resumed run renders it.
 JudgedJob skipped_job(const RenderSession& session, std::size_t index, const results::JobRecord& record);
 
-/// Judges the image of a job from its unfinished folder, and puts that in place. WriteError on a full disk.
-JudgedJob judge_and_place(RenderSession& session, std::size_t index, Execution execution);
+/// Judges the image of a job in its unfinished folder. WriteError on a full disk.
+JudgedJob judge_job(RenderSession& session, std::size_t index, Execution execution);
+
+/// Writes job.json into the unfinished folder of a job, and puts that in place.
+void place_job(RenderSession& session, std::size_t index, JudgedJob& judged);
 
 /// Compares the verdicts with what is expected, and writes job.json into `folder`.
 void write_job(const RenderSession& session, const std::filesystem::path& folder, JudgedJob& judged);
