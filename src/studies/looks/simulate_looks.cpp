@@ -1,6 +1,7 @@
 #include "studies/looks/simulate_looks.h"
 
 #include "base/parallel.h"
+#include "image/colour.h"
 #include "image/image.h"
 #include "judge/judge.h"
 #include "metrics/merged_renders.h"
@@ -73,13 +74,6 @@ double mean_of_channel(const Values& values, std::size_t channel) {
   return sum / (kSide_px * kSide_px);
 }
 
-double srgb(double linear) {
-  return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-double linear_of(double display) {
-  return display <= 0.04045 ? display / 12.92 : std::pow((display + 0.055) / 1.055, 2.4);
-}
-
 // The last tile gets brighter by a share of its mean and the image's together.
 void add_tile_error(double share, Values& values) {
   const auto right = values;
@@ -114,7 +108,8 @@ void add_steps(double limits, Values& values) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     const auto pixel = static_cast<int>(i / 3);
     const bool is_up = (pixel % kSide_px + pixel / kSide_px) % 2 == 0;
-    values[i] = linear_of(srgb(values[i]) + (is_up ? step : -step));
+    const double display = image::srgb_encode(static_cast<float>(values[i])) + (is_up ? step : -step);
+    values[i] = image::srgb_decode(static_cast<float>(display));
   }
 }
 
