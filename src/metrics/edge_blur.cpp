@@ -70,9 +70,10 @@ std::array<double, 3> reference_means(const PairSamples& samples) {
 // Change: what the filter makes of the reference. Summed over the channels of a pixel, whose noise is not
 // independent.
 struct Edge {
-  double change = 0;  // |change|
-  double error = 0;   // in the direction of the change
-  double noise = 0;   // standard deviation of the error as samples of the result's number have it
+  double change = 0;         // |change|
+  double error = 0;          // in the direction of the change
+  double counted_noise = 0;  // standard deviations of the error, see EdgeBlur
+  double seen_noise = 0;
 };
 
 // `filtered`: the pixel's three samples.
@@ -96,10 +97,10 @@ Edge edge_at(const PairSamples& samples,
     if (std::fabs(change) <= kStandardDeviations * deviation) continue;
     edge.change += std::fabs(change);
     edge.error += std::copysign(1.0, change) * samples.difference(here) / scale;
-    if (samples.looks > 1)
-      edge.noise +=
-          std::sqrt((samples.variance_ratio.at(c) + 1) * variance_at(samples.reference_variance, here)) /
-          scale;
+    if (samples.looks == 1) continue;
+    const double reference = std::sqrt(variance_at(samples.reference_variance, here)) / scale;
+    edge.counted_noise += std::sqrt(samples.variance_ratio.at(c) + 1) * reference;
+    edge.seen_noise += std::sqrt(samples.seen_variance_ratio.at(c) + 1) * reference;
   }
   return edge;
 }
@@ -132,14 +133,16 @@ std::optional<EdgeBlur> edge_blur(const PairSamples& samples) {
   }
   const double value = sum.error / sum.change;
   PooledVariance scatter;
-  double expected = 0;
+  double counted = 0;
+  double seen = 0;
   for (const auto& edge : edges) {
     const double rest = edge.error - value * edge.change;
     scatter.add(rest * rest);
-    expected += edge.noise * edge.noise;
+    counted += edge.counted_noise * edge.counted_noise;
+    seen += edge.seen_noise * edge.seen_noise;
   }
   return EdgeBlur{value, std::sqrt(scatter.sum) / sum.change, scatter.degrees(),
-                  std::sqrt(expected) / sum.change};
+                  std::sqrt(counted) / sum.change, std::sqrt(seen) / sum.change};
 }
 
 MetricResult compute_edge_blur(const ImagePair& pair) {
@@ -147,13 +150,13 @@ MetricResult compute_edge_blur(const ImagePair& pair) {
   const auto blur = edge_blur(pair);
   if (!blur) return {.value = std::nullopt, .absence = Absence::NothingInReference};
   if (pair.looks > 1) {
-    // The larger of both: fireflies that the few pixels at edges have not met widen the second one alone.
-    const double error = std::max(blur->standard_error, blur->expected_error);
-    const auto within = [&](double one_side) {
-      return student_interval(blur->value, error, blur->degrees, 2 * one_side / pair.looks);
+    // The few pixels at edges may have met no firefly that the whole image shows.
+    const auto within = [&](double error, double one_side) {
+      return student_interval(blur->value, std::max(blur->standard_error, error), blur->degrees,
+                              2 * one_side / pair.looks);
     };
-    const auto to_fail = within(kWrongFails);
-    const auto to_pass = within(kWrongPasses);
+    const auto to_fail = within(blur->counted_error, kWrongFails);
+    const auto to_pass = within(blur->seen_error, kWrongPasses);
     return {.value = blur->value,
             .low = to_fail.low,
             .high = to_fail.high,

@@ -25,8 +25,10 @@ struct EdgeBlur {
   double value = 0;
   double standard_error = 0;  // by the scatter of the pixels about the value; the channels of one are one
   double degrees = 1;         // of freedom of the standard error
-  double expected_error =
-      0;  // what the numbers of samples make it, where the image is looked at several times
+  // By the reference's variances, where the image is looked at several times: as the numbers of samples have
+  // it, and as the whole image shows.
+  double counted_error = 0;
+  double seen_error = 0;
 };
 
 /// Linear Rec.709, no clamp. Counts pixels that are, with their eight neighbours, in the image and not
