@@ -13,8 +13,6 @@
 #include "studies/cost/report.h"
 #include "studies/cost/study.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 namespace orbs::cli {
@@ -24,38 +22,24 @@ namespace {
 struct CostOptions {
   RunOptions run;
   std::string output, resume, show;
-  std::string time = "20m", target = "35dB";
   studies::CostRequest request;
   bool as_markdown = false;
 };
-
-// "90", "30s", "20m", "1.5h"; "35", "35dB".
-double number_with_unit(const char* option,
-                        const std::string& text,
-                        const std::vector<std::pair<std::string, double>>& units) {
-  std::size_t used = 0;
-  double number = 0;
-  try {
-    number = std::stod(text, &used);
-  } catch (const std::exception&) {
-    used = 0;
-  }
-  const auto unit = text.substr(used);
-  for (const auto& [name, factor] : units)
-    if (used > 0 && unit == name && number > 0 && std::isfinite(number)) return number * factor;
-  std::string known;
-  for (const auto& [name, factor] : units)
-    if (!name.empty()) known += fmt::format("{}{}", known.empty() ? "" : ", ", name);
-  throw InputError(
-      fmt::format("{}: '{}' is no number above 0 with one of the units {}", option, text, known));
-}
 
 void add_options(const command_line::Command& command, CostOptions& options) {
   constexpr int kMost = 1024;
   add_settings(command, options.run,
                {"suite", "case", "scene", "requirement", "renderer", "size", "sandbox"});
-  command.add_option("--time", options.time, "Budget of the whole study: 30s, 20m, 2h").shows_default();
-  command.add_option("--target", options.target, "PSNR that the curves are to cross").shows_default();
+  command
+      .add_option("--time", options.request.settings.budget_seconds,
+                  "Budget of the whole study: 30s, 20m, 2h (default: 20m)")
+      .in_units(command_line::kTimes)
+      .value_name("TIME");
+  command
+      .add_option("--target", options.request.settings.target_db,
+                  "PSNR that the curves are to cross (default: 35dB)")
+      .in_units({{"dB", 1}, {"", 1}})
+      .value_name("PSNR");
   command
       .add_option(
           "--sweep", options.request.samples,
@@ -119,9 +103,6 @@ int measure(const command_line::Command& command,
   settings.threads = options.request.settings.threads;
   settings.jobs = 1;
   auto& request = options.request;
-  request.settings.budget_seconds =
-      number_with_unit("--time", options.time, {{"s", 1}, {"", 1}, {"m", 60}, {"h", 3600}});
-  request.settings.target_db = number_with_unit("--target", options.target, {{"dB", 1}, {"", 1}});
   const auto plan = run::make_plan(configuration, settings, program.folder);
   const auto context = study_context(program, stderr);
   studies::CostRecord record;

@@ -105,9 +105,13 @@ struct AddOption {
   }
 
   void operator()(double* number) const {
-    command.add_option(names_of(setting.field), *number, help_of(setting))
-        .above_zero()
-        .value_name(value_name_of(setting.field));
+    const auto word = value_name_of(setting.field);
+    const auto option =
+        command.add_option(names_of(setting.field), *number, help_of(setting)).value_name(word);
+    if (word == "TIME")
+      option.in_units(command_line::kTimes);
+    else
+      option.above_zero();
   }
 
   void operator()(bool* flag) const {

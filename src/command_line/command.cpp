@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <string_view>
@@ -70,6 +71,26 @@ Option Option::above_zero() const {
 
 Option Option::zero_or_more() const {
   option_->check(number_check([](double number) { return number >= 0; }, "0 or more"));
+  return *this;
+}
+
+Option Option::in_units(const Units& units) const {
+  const auto convert = [=](std::string& text) -> std::string {
+    const auto end =
+        std::min(text.find_last_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"), text.size());
+    const auto digits = end == text.size() ? "" : text.substr(0, end + 1);
+    const auto number = to_number(digits);
+    std::string known;
+    for (const auto& [name, factor] : units) {
+      if (number && *number > 0 && std::isfinite(*number) && text.substr(digits.size()) == name) {
+        text = fmt::format("{}", *number * factor);
+        return "";
+      }
+      if (!name.empty()) known += fmt::format("{}{}", known.empty() ? "" : ", ", name);
+    }
+    return fmt::format("'{}' is no number above 0 with one of the units {}", text, known);
+  };
+  option_->transform(CLI::Validator(convert, ""));
   return *this;
 }
 

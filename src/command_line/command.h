@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the name is the library's
@@ -16,6 +17,11 @@ class Option;
 /// The command lines of our programs. Only command.cpp includes CLI11, whose headers take a compiler ten
 /// seconds.
 namespace orbs::command_line {
+
+/// Names and factors; "" where none is needed.
+using Units = std::vector<std::pair<std::string, double>>;
+/// In seconds.
+inline const Units kTimes{{"s", 1}, {"", 1}, {"m", 60}, {"h", 3600}};
 
 /// An option or an argument of a command, for as long as its command lives. Each call says more about it.
 class Option {
@@ -30,6 +36,8 @@ class Option {
   Option any_number() const;
   Option above_zero() const;
   Option zero_or_more() const;
+  /// A finite number above 0, with one of these units behind it; the value is in that whose factor is 1.
+  Option in_units(const Units& units) const;
   /// Refuses the empty text, which would count as an option that is not given. `what` is what the option
   /// needs: "a folder".
   Option not_empty(const std::string& what) const;

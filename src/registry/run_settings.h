@@ -121,17 +121,16 @@ void fields_of_conduct(Visitor& visit, Settings& run) {
   visit(
       "budget", run.budget_seconds,
       {.help =
-           "Seconds of rendering after which nothing gets more samples; what decides soonest comes first. 0: "
-           "no limit",
-       .option = "--budget SECONDS",
+           "Rendering time after which nothing gets more samples; what decides soonest comes first: 30s, 20m, "
+           "2h. In the file seconds, 0: no limit",
+       .option = "--budget TIME",
        .range = json::kNotNegative});
-  visit(
-      "target_budget", run.target_budget_seconds,
-      {.help =
-           "Seconds of rendering that one target gets at most; 0: 120 at `1/4` and below, 4 times as much for "
-           "each doubling of the size",
-       .option = "--target-budget SECONDS",
-       .range = json::kNotNegative});
+  visit("target_budget", run.target_budget_seconds,
+        {.help =
+             "Rendering time that one target gets at most. In the file seconds, 0: 120 at `1/4` and below, 4 "
+             "times as much for each doubling of the size",
+         .option = "--target-budget TIME",
+         .range = json::kNotNegative});
   visit("strict", run.strict, {.help = "Let a pass with remarks make the run fail", .option = "--strict"});
   visit(
       "sandbox", run.sandbox,

@@ -69,7 +69,7 @@ TEST(Looks, FixedSamplesAreThoseOfTheCase) {
 TEST(Looks, ABudgetEndsThemAndAResumedRunGoesOn) {
   const LooksSandbox sandbox;
   const auto few = sandbox.orbs(
-      {"run", "-v", "-r", "noisy", "-s", "grey", "-c", "m1*", "--target-budget", "0.0001", "-o", "out"});
+      {"run", "-v", "-r", "noisy", "-s", "grey", "-c", "m1*", "--target-budget", "0.000002m", "-o", "out"});
   EXPECT_EQ(few.status, 1) << few.text;
   EXPECT_TRUE(contains(few.text, "undecided: its noise: about")) << few.text;
   EXPECT_EQ(sandbox.job("out", "noisy").job.sampling.looks, 1);
