@@ -35,8 +35,7 @@ std::string finished_line(std::size_t done,
       expectation = target.expectation;
       reason = reason_text(target);
     }
-    for (const auto& measure : target.measures)
-      if (measure.name == "psnr_srgb8") psnr = std::min(psnr.value_or(measure.value), measure.value);
+    if (const auto judged = judged_psnr_db(target)) psnr = std::min(psnr.value_or(*judged), *judged);
   }
   const auto state = state_name(verdict, expectation);
   const bool good = results::passes(verdict) && expectation == results::Expectation::None;

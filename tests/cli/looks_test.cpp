@@ -3,6 +3,7 @@
 #include "image/image_io.h"
 #include "results/record.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 using namespace orbs;
@@ -38,6 +39,9 @@ TEST(Looks, ANoisyImageGetsTheSamplesThatDecideIt) {
   EXPECT_EQ(targets[0].looks.front().spp, 16);
   EXPECT_EQ(targets[0].looks.front().verdict, results::Verdict::Inconclusive);
   EXPECT_TRUE(results::passes(targets[0].looks.back().verdict));
+  // Its line shows what it is judged by.
+  EXPECT_TRUE(contains(answer.text, fmt::format("{:.2f} dB", *results::judged_psnr_db(targets[0]))))
+      << answer.text;
   const auto image = image::read_image(sandbox.folder() / "out/noisy/grey/result.exr");
   double mean = 0;
   for (std::size_t pixel = 0; pixel < image.pixel_count(); ++pixel)
