@@ -84,7 +84,8 @@ struct SceneFormat {
 template <class Visitor, json::RecordOf<SceneFormat> Record>
 void fields(Visitor& visit, Record& format) {
   visit("scene_format", format.name,
-        {.help = "`orbs-scene`, `povray`, `mitsuba`, `pbrt`, or `native` for hand-written scenes only"});
+        {.help =
+             "`orbs-scene`, `povray`, `mitsuba`, `pbrt`, `gltf`, or `native` for hand-written scenes only"});
   visit("scene_settings", format.settings,
         {.help = "Numbers for the exporter of the scene format, such as POV-Ray's `photons`"});
   // Those that a render gets are in scene_settings by then, see at_size() and for_scene().
@@ -269,12 +270,12 @@ struct Renderer {
 template <class Visitor, json::RecordOf<Renderer> Record>
 void fields(Visitor& visit, Record& renderer) {
   visit.required("name", renderer.name, {.help = "In lists, tables and folders", .changes_image = false});
-  fields(visit, renderer.command);
   visit(
       "only_when_named", renderer.is_only_when_named,
       {.help = "`true`: it takes part only where `-r` names it, or a pattern that is more than `*` fits its "
                "name: a second way to one program, which need not be in every run",
        .changes_image = false});
+  fields(visit, renderer.command);
   fields(visit, renderer.support);
   fields(visit, renderer.format);
   fields(visit, renderer.sampling);
