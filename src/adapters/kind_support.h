@@ -4,7 +4,6 @@
 #include "base/error.h"
 #include "scene/scene.h"
 
-#include <concepts>
 #include <string>
 #include <type_traits>
 
@@ -18,7 +17,7 @@ namespace orbs::adapters {
 
 template <typename Writer, typename Kind>
 concept WritesKind = requires(const Writer& writer, const Kind& kind) {
-  { writer(kind) } -> std::same_as<std::string>;
+  writer(kind);
 };
 
 inline std::string no_such_type(const scene::Material& material, const char* renderer) {
@@ -48,17 +47,25 @@ std::string limit_of_material(const scene::Material& material,
       material.model);
 }
 
-/// The text of a material in the format of the writer. InputError for a type that it does not know.
+/// What the writer makes of a material: text in its format, or data for one that is written as a whole.
+/// InputError for a type that it does not know.
 template <typename Writer>
-std::string text_of_material(const scene::Material& material, const char* renderer, const Writer& writer) {
+auto written_material(const scene::Material& material, const char* renderer, const Writer& writer) {
+  using Written = std::invoke_result_t<const Writer&, const scene::Lambert&>;
   return std::visit(
-      [&](const auto& model) -> std::string {
+      [&](const auto& model) -> Written {
         if constexpr (WritesKind<Writer, std::decay_t<decltype(model)>>)
           return writer(model);
         else
           throw InputError(no_such_type(material, renderer));
       },
       material.model);
+}
+
+/// The text of a material in the format of the writer. InputError for a type that it does not know.
+template <typename Writer>
+std::string text_of_material(const scene::Material& material, const char* renderer, const Writer& writer) {
+  return written_material(material, renderer, writer);
 }
 
 /// Why the exporter with that Writer cannot write the shape of the light; "" when it can.

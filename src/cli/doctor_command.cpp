@@ -185,9 +185,10 @@ void add_doctor_command(const command_line::Command& command, const Program& pro
       refuse_without_sandbox(places.settings.sandbox);
       const auto scenes = scene_names(read);
       std::vector<Examined> all;
-      const auto names = registry::chosen_renderers(read, chosen->empty() ? "*" : *chosen);
+      const auto names =
+          chosen->empty() ? std::vector<std::string>{} : registry::chosen_renderers(read, *chosen);
       for (const auto& renderer : read.renderers)
-        if (std::find(names.begin(), names.end(), renderer.name) != names.end())
+        if (chosen->empty() || std::find(names.begin(), names.end(), renderer.name) != names.end())
           all.push_back(examine(renderer, places, scenes));
       if (*as_json) {
         print_json(read, values, all);

@@ -84,7 +84,8 @@ struct SceneFormat {
 template <class Visitor, json::RecordOf<SceneFormat> Record>
 void fields(Visitor& visit, Record& format) {
   visit("scene_format", format.name,
-        {.help = "`orbs-scene`, `povray`, `mitsuba`, `pbrt`, or `native` for hand-written scenes only"});
+        {.help =
+             "`orbs-scene`, `povray`, `mitsuba`, `pbrt`, `gltf`, or `native` for hand-written scenes only"});
   visit("scene_settings", format.settings,
         {.help = "Numbers for the exporter of the scene format, such as POV-Ray's `photons`"});
   // Those that a render gets are in scene_settings by then, see at_size() and for_scene().
@@ -260,7 +261,8 @@ struct Renderer {
   Support support;
   Sampling sampling;
   Timing timing;
-  ProcessLimits limits;  // those of the file, with the entry's own in their place
+  ProcessLimits limits;             // those of the file, with the entry's own in their place
+  bool is_only_when_named = false;  // it is none of all renderers
 };
 
 /// What an entry of the file and the renderer that it stands for have in common: what a variant adds, and the
@@ -268,6 +270,11 @@ struct Renderer {
 template <class Visitor, json::RecordOf<Renderer> Record>
 void fields(Visitor& visit, Record& renderer) {
   visit.required("name", renderer.name, {.help = "In lists, tables and folders", .changes_image = false});
+  visit(
+      "only_when_named", renderer.is_only_when_named,
+      {.help = "`true`: it takes part only where `-r` names it, or a pattern that is more than `*` fits its "
+               "name: a second way to one program, which need not be in every run",
+       .changes_image = false});
   fields(visit, renderer.command);
   fields(visit, renderer.support);
   fields(visit, renderer.format);

@@ -23,7 +23,12 @@ std::vector<std::string> chosen_renderers(const Configuration& configuration, co
       if (renderer.variant_of == pattern) patterns.push_back(renderer.name);
     if (patterns.size() == count) patterns.push_back(pattern);
   }
-  return select_names(names, fmt::format("{}", fmt::join(patterns, ",")), "renderer");
+  auto chosen = select_names(names, fmt::format("{}", fmt::join(patterns, ",")), "renderer");
+  std::erase(patterns, "*");
+  for (const auto& renderer : configuration.renderers)
+    if (renderer.is_only_when_named && !matches_any(patterns, renderer.name))
+      std::erase(chosen, renderer.name);
+  return chosen;
 }
 
 namespace {

@@ -11,7 +11,8 @@ namespace orbs::registry {
 const std::string& entry_of(const Renderer& renderer);
 
 /// The names of the renderers that a comma-separated list of names and patterns chooses. The name of an entry
-/// with variants chooses all of them. InputError, with the nearest name, for a pattern that chooses nothing.
+/// with variants chooses all of them, and "*" chooses none that is only_when_named. InputError, with the
+/// nearest name, for a pattern that chooses nothing.
 std::vector<std::string> chosen_renderers(const Configuration& configuration, const std::string& list);
 
 /// The entry with the exporter's settings that it has at the reduced size instead of its usual ones.

@@ -17,6 +17,7 @@ const files = [
   "web/*.{mjs,json}",
   "!web/package-lock.json",
   "tests/page/*.{ts,mjs,json}",
+  "tests/gltf/*.mjs",
 ];
 const mode = options.includes("--write") ? "--write" : "--check";
 const config = join(source, "web/.prettierrc.json");

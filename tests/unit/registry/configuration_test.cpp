@@ -6,6 +6,7 @@
 #include "structure/source_files.h"
 
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -314,6 +315,22 @@ TEST(Configuration, TheOneOfTheRepositoryIsRight) {
   std::vector<std::string> formats;
   for (const auto& renderer : configuration.renderers) formats.push_back(renderer.format.name);
   EXPECT_EQ(formats, (std::vector<std::string>{"orbs-scene", "orbs-scene", "povray", "mitsuba", "pbrt"}));
+}
+
+TEST(Configuration, WhatIsOnlyWhenNamedIsNoneOfAllRenderers) {
+  const auto configuration = load(
+      R"({"format": "orbs-configuration/1", "suites": [{"name": "s", "cases": "c", "references": "r"}], "renderers": [
+    {"name": "one", "executable": "a", "declares": "G1", "command": ["{executable}", "{scene}", "{output}"]},
+    {"name": "one-more", "executable": "a", "declares": "G1", "only_when_named": true,
+     "command": ["{executable}", "{scene}", "{output}"], "variants": [{"name": "v", "arguments": []}]}]})");
+  const auto chosen = [&](const char* list) { return orbs::registry::chosen_renderers(configuration, list); };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(chosen("*"), Names{"one"});
+  EXPECT_EQ(chosen("*,one"), Names{"one"});
+  for (const char* list : {"one-more", "one-more-v", "*-v"})
+    EXPECT_EQ(chosen(list), Names{"one-more-v"}) << list;
+  for (const char* list : {"one*", "*,one-more"})
+    EXPECT_EQ(chosen(list), (Names{"one", "one-more-v"})) << list;
 }
 
 TEST(Configuration, IsLookedForInTheFoldersAbove) {

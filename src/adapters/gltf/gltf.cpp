@@ -1,0 +1,144 @@
+#include "adapters/gltf/gltf.h"
+
+#include "adapters/format_limits.h"
+#include "adapters/gltf/document.h"
+#include "adapters/gltf/glb.h"
+#include "adapters/gltf/textures.h"
+#include "adapters/gltf/vertices.h"
+#include "adapters/lights_as_meshes.h"
+#include "adapters/material_meshes.h"
+#include "base/files.h"
+#include "base/nth.h"
+#include "scene/geometry/world_bounds.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace orbs::adapters {
+
+namespace {
+
+using gltf::Document;
+
+// Near planes clip, those of ORB.S do not: a millionth of the distance to the farthest point, the resolution
+// of float coordinates there.
+double near_m(const scene::Scene& scene) {
+  const auto bounds = rough_bounds(scene);
+  if (!bounds) return 1e-6;
+  const Vec3d eye = scene.camera.position_m;
+  return 1e-6 * std::max(1.0, 2 * radius_of(joined(*bounds, {eye, eye})));
+}
+
+// Each material that is shown, with its texture; the indices of the scene's materials go to those of the
+// file.
+std::map<int, int> add_materials(Document& document,
+                                 const scene::Scene& scene,
+                                 const std::map<int, gltf::TextureTransform>& transforms) {
+  std::map<int, int> textures;
+  std::map<int, int> places;
+  for (const int index : scene::visible_materials(scene)) {
+    const scene::Material& material = material_at(scene, index);
+    gltf::Material written{material.name, gltf::surface_of(material), {}};
+    if (const auto& use = scene::texture_of(material.model)) {
+      const auto [place, is_new] =
+          textures.try_emplace(use->texture, static_cast<int>(document.textures.size()));
+      const scene::Texture& texture = texture_at(scene, *use);
+      if (is_new)
+        document.textures.push_back({texture.name, add_file(document.buffer, gltf::texture_png(texture)),
+                                     texture.wrap_u, texture.wrap_v});
+      written.texture = gltf::TextureInfo{place->second};
+      if (const auto found = transforms.find(index); found != transforms.end())
+        written.texture->transform = found->second;
+    }
+    places[index] = static_cast<int>(document.materials.size());
+    document.materials.push_back(std::move(written));
+  }
+  return places;
+}
+
+int add_mesh(Document& document, const scene::Mesh& mesh, int material) {
+  const gltf::Vertices vertices = gltf::vertices_of(mesh);
+  gltf::Mesh written{.name = mesh.name, .material = material};
+  written.positions = add_positions(document.buffer, vertices.positions);
+  written.normals = add_normals(document.buffer, vertices.normals);
+  if (nth(document.materials, material).texture) written.uvs = add_uvs(document.buffer, vertices.uvs);
+  written.triangles = add_triangles(document.buffer, vertices.triangles);
+  document.meshes.push_back(std::move(written));
+  return static_cast<int>(document.meshes.size()) - 1;
+}
+
+// All instances whose axes are at right angles share one mesh; each other one gets its own, which holds all
+// of the matrix but the translation.
+void add_nodes(Document& document, const MaterialMesh& shown, int material) {
+  std::optional<int> shared;
+  for (const Mat4& place : shown.places) {
+    if (const auto placement = gltf::placement_of(place)) {
+      if (!shared) shared = add_mesh(document, shown.mesh, material);
+      document.nodes.push_back({shown.mesh.name, *placement, *shared});
+      continue;
+    }
+    const int own = add_mesh(document, gltf::sheared(shown.mesh, place), material);
+    document.nodes.push_back({shown.mesh.name, {.translation = transform_point(place, {})}, own});
+  }
+}
+
+Document document_of(const scene::Scene& scene) {
+  scene::Scene shown = lights_as_meshes(scene);
+  const auto transforms = gltf::take_texture_transforms(shown);
+  Document document{
+      .name = scene.name, .camera = scene.camera, .near_m = near_m(shown), .trace_depth = scene.trace_depth};
+  const auto materials = add_materials(document, shown, transforms);
+  for (const MaterialMesh& mesh : material_meshes(shown))
+    add_nodes(document, mesh, materials.at(mesh.material));
+  return document;
+}
+
+}  // namespace
+
+void write_gltf(const scene::Scene& scene, const std::filesystem::path& file) {
+  const Document document = document_of(scene);
+  write_file(file, gltf::glb(gltf::json_text(document), document.buffer.bytes));
+}
+
+Exporter gltf_exporter() {
+  return {.format = "gltf",
+          .scene_file = "scene.glb",
+          .settings = {},
+          .limits = [](const scene::Scene& scene, const SceneSettings&) { return gltf_limits(scene); },
+          .write = [](const scene::Scene& scene, const SceneSettings&,
+                      const std::filesystem::path& file) { write_gltf(scene, file); }};
+}
+
+namespace {
+
+std::string unsaid_of_light(const scene::Light& light, const std::string& display_name) {
+  if (light.ies)
+    return display_name + " has an IES profile: glTF has no light with a measured intensity distribution";
+  if (light.reflectance != scene::RgbColour{})
+    return display_name + " reflects where it shines: the exporter to glTF writes surfaces that shine alone";
+  return "";
+}
+
+}  // namespace
+
+std::vector<std::string> gltf_limits(const scene::Scene& scene) {
+  std::vector<std::string> reasons = beyond_orbs_limits(scene, "glTF", gltf::beyond_orbs());
+  const auto note = [&](const std::string& reason) {
+    if (!reason.empty()) reasons.push_back(reason);
+  };
+  std::set<int> textures;
+  for (const int index : scene::visible_materials(scene)) {
+    const scene::Material& material = material_at(scene, index);
+    note(gltf::material_limit(material));
+    if (const auto& use = scene::texture_of(material.model)) textures.insert(use->texture);
+  }
+  for (const int index : textures) note(gltf::texture_limit(nth(scene.textures, index)));
+  for (std::size_t i = 0; i < scene.lights.size(); ++i)
+    note(unsaid_of_light(scene.lights[i], scene::display_name("light", scene.lights[i].name, i)));
+  return reasons;
+}
+
+}  // namespace orbs::adapters
