@@ -1,5 +1,6 @@
 #include "adapters/export.h"
 
+#include "adapters/hydra/hydra.h"
 #include "adapters/mitsuba/mitsuba.h"
 #include "adapters/pbrt/pbrt.h"
 #include "adapters/povray/povray.h"
@@ -102,10 +103,7 @@ Exporter neutral_exporter() {
 
 const std::vector<Exporter>& exporters() {
   static const std::vector<Exporter> kExporters{
-      neutral_exporter(),
-      povray_exporter(),
-      mitsuba_exporter(),
-      pbrt_exporter(),
+      neutral_exporter(), povray_exporter(), mitsuba_exporter(), pbrt_exporter(), hydra_exporter(),
   };
   return kExporters;
 }

@@ -116,7 +116,7 @@ template <class Visitor, json::RecordOf<SceneFormat> Record>
 void fields(Visitor& visit, Record& format) {
   visit("scene_format", format.name,
         {.help =
-             "`orbs-scene`, `povray`, `mitsuba`, `pbrt`, or `native` for hand-written scenes only"});
+             "`orbs-scene`, `povray`, `mitsuba`, `pbrt`, `hydra`, or `native` for hand-written scenes only"});
   visit("scene_settings", format.settings,
         {.help = "Numbers for the exporter of the scene format, such as POV-Ray's `photons`"});
   // Those that a render gets are in scene_settings by then, see at_size() and for_scene().
