@@ -22,7 +22,8 @@ HydraPaths hydra_paths(const scene::Scene& scene, const SceneSettings& settings)
   const auto naive = settings.find("naive");
   if (naive != settings.end() && naive->second != 0) return {scene.trace_depth, false};
   if (scene.trace_depth == 1) return {2, true};
-  return {scene.lights.empty() ? scene.trace_depth + 1 : scene.trace_depth, false};
+  const bool is_found_behind = scene.lights.empty() || scene.environment != scene::RgbColour{};
+  return {is_found_behind ? scene.trace_depth + 1 : scene.trace_depth, false};
 }
 
 namespace {

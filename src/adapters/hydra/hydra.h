@@ -19,9 +19,10 @@ struct HydraPaths {
 /// then traces one ray more. The others, mispt and shadowpt, sample lights at each of `trace_depth` surfaces
 /// and trace no ray behind the last:
 ///  - where there is no light but the environment and emissive surfaces, one more surface is exact;
+///  - beside lamps, an environment gets one more surface, too: without it all its light at the last surface
+///    would be lost, and with it the lamps give a part of one scattering too much;
 ///  - direct light is exact as their layer of direct light with one more surface, in which mirrors and glass
-///  do
-///    not count;
+///    do not count;
 ///  - else mispt finds too little light at the last surface, and with one more surface too much.
 HydraPaths hydra_paths(const scene::Scene& scene, const SceneSettings& settings);
 

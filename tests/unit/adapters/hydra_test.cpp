@@ -56,7 +56,9 @@ TEST(HydraPaths, ADepthIsTheScenesOrOneMoreByWhatFindsTheLight) {
   EXPECT_EQ(hydra_paths(scene, {}).trace_depth, 5) << "the environment is found behind the last surface";
   EXPECT_EQ(hydra_paths(scene, {{"naive", 1}}).trace_depth, 4);
   scene.lights = {{"l", scene::DiskShape{1}, {1, 1, 1}, {}, {}}};
-  EXPECT_EQ(hydra_paths(scene, {}).trace_depth, 4);
+  EXPECT_EQ(hydra_paths(scene, {}).trace_depth, 5);
+  scene.environment = {};
+  EXPECT_EQ(hydra_paths(scene, {}).trace_depth, 4) << "lamps are sampled at the last surface";
   EXPECT_FALSE(hydra_paths(scene, {}).is_direct);
   scene.trace_depth = 1;
   EXPECT_EQ(hydra_paths(scene, {}).trace_depth, 2);
