@@ -1,6 +1,7 @@
 #include "adapters/export.h"
 
 #include "adapters/gltf/gltf.h"
+#include "adapters/hydra/hydra.h"
 #include "adapters/mitsuba/mitsuba.h"
 #include "adapters/pbrt/pbrt.h"
 #include "adapters/povray/povray.h"
@@ -103,7 +104,7 @@ Exporter neutral_exporter() {
 
 const std::vector<Exporter>& exporters() {
   static const std::vector<Exporter> kExporters{
-      neutral_exporter(), povray_exporter(), mitsuba_exporter(), pbrt_exporter(), gltf_exporter(),
+      neutral_exporter(), povray_exporter(), mitsuba_exporter(), pbrt_exporter(), hydra_exporter(), gltf_exporter(),
   };
   return kExporters;
 }

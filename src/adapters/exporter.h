@@ -42,8 +42,11 @@ struct Exporter {
                 const SceneSettings& settings,
                 const std::filesystem::path& file) = nullptr;
   /// The placeholders of commands that only programs of this format know, for these samples per pixel; null
-  /// where it has none.
-  registry::Placeholders (*placeholders)(int spp) = nullptr;
+  /// where it has none. The settings may be those of another format, whose renderer reads hand-written scenes
+  /// of this one.
+  registry::Placeholders (*placeholders)(const scene::Scene& scene,
+                                         const SceneSettings& settings,
+                                         int spp) = nullptr;
 };
 
 /// A name for a comment of one line: characters that end a line or control a terminal become spaces.

@@ -38,9 +38,43 @@ std::int64_t strided_seed(const registry::Renderer& renderer, int seed) {
   return strided;
 }
 
-std::vector<std::string> words_of_command(const registry::Renderer& renderer,
-                                          const std::vector<std::string>& of_scene) {
+// All images but the last are rendered in vain: more of them are hardly meant.
+void check_image_count(const registry::Renderer& renderer, std::int64_t images) {
+  constexpr int kMost = 100;
+  if (images > kMost)
+    throw InputError(fmt::format(
+        "{}: seed {} is the last of as many images that its command renders (image_sequence), and at most {} "
+        "can be asked for: choose a smaller seed",
+        entry_name(renderer), images, kMost));
+}
+
+// The words of the sequence in the place of {images}, once for each image.
+std::vector<std::string> with_images(const registry::Renderer& renderer, std::int64_t images) {
   auto words = renderer.command.words;
+  const auto& of_image = renderer.command.sequence.words;
+  if (of_image.empty()) return words;
+  check_image_count(renderer, images);
+  auto place = std::find(words.begin(), words.end(), "{images}");
+  if (place == words.end()) return words;
+  place = words.erase(place);
+  for (std::int64_t i = 0; i < images; ++i)
+    place = words.insert(place, of_image.begin(), of_image.end()) + std::ssize(of_image);
+  return words;
+}
+
+// Where the last of so many images is.
+std::filesystem::path last_image(const registry::Renderer& renderer,
+                                 const std::filesystem::path& output,
+                                 std::int64_t images) {
+  const auto& sequence = renderer.command.sequence;
+  if (sequence.words.empty() || images == 1) return output;
+  return output.parent_path() / (output.stem().string() + sequence.suffix + output.extension().string());
+}
+
+std::vector<std::string> words_of_command(const registry::Renderer& renderer,
+                                          const std::vector<std::string>& of_scene,
+                                          std::int64_t images) {
+  auto words = with_images(renderer, images);
   auto place = std::find(words.begin(), words.end(), "{arguments}");
   if (place != words.end()) place = words.erase(place);
   place = words.insert(place, renderer.command.arguments.begin(), renderer.command.arguments.end());
@@ -99,15 +133,17 @@ Job make_job(const registry::Renderer& renderer,
   job.folder = folder;
   job.scene_file =
       folder / (settings.scene_file.empty() ? scene_file_name(renderer.format.name) : settings.scene_file);
-  job.image = folder / settings.image_file;
+  const auto output = folder / settings.image_file;
   job.width_px = scene.camera.width_px;
   job.height_px = scene.camera.height_px;
   job.spp = settings.spp;
   job.seed = strided_seed(renderer, settings.seed);
+  job.image = last_image(renderer, output, job.seed);
+  job.fails_on = renderer.command.fails_on;
   if (settings.scene_file.empty()) job.channels = image_channels(renderer.format.name, scene);
   registry::Placeholders values{{"executable", settings.executable.string()},
                                 {"scene", job.scene_file.string()},
-                                {"output", job.image.string()},
+                                {"output", output.string()},
                                 {"folder", folder.string()},
                                 {"spp", std::to_string(settings.spp)},
                                 {"seed", std::to_string(job.seed)},
@@ -120,8 +156,9 @@ Job make_job(const registry::Renderer& renderer,
                                 {"build", settings.build.string()}};
   // Those of all formats, because a renderer with hand-written scenes names no exporter.
   for (const auto& exporter : exporters())
-    if (exporter.placeholders != nullptr) values.merge(exporter.placeholders(settings.spp));
-  job.argv = filled_words(words_of_command(renderer, settings.arguments),
+    if (exporter.placeholders != nullptr)
+      values.merge(exporter.placeholders(scene, renderer.format.settings, settings.spp));
+  job.argv = filled_words(words_of_command(renderer, settings.arguments, job.seed),
                           plugin_files(renderer, settings.root, settings.build), std::move(values));
   return job;
 }

@@ -26,6 +26,7 @@ struct Job {
   std::int64_t seed = 0;                     // as the renderer gets it
   bool may_be_negative = false;              // its pixels
   ImageChannels channels = kColourChannels;  // of its image, which hold R, G and B
+  std::vector<std::string> fails_on{};       // patterns for lines of its output
   // Proof that an image belongs to this render; an empty member is not checked.
   std::string id;                                              // given to the renderer as ORBS_JOB
   std::string scene_file_hash;                                 // hash_text of scene_file's bytes
@@ -59,10 +60,10 @@ std::vector<std::filesystem::path> readable_places(const registry::Renderer& ren
 
 /// The job in `folder` (absolute), where all its files lie, since some renderers may only read and write the
 /// folder that they are started in. {transport} is transport_word of the scene, {seed} is the seed times the
-/// renderer's seed_stride; exporters add placeholders of their formats. Arguments of the renderer's variant
-/// and of the scene replace {arguments}, or stand at the end of a command without it; a word with
-/// {plugin} stands there once for each plug-in. Pure, touches
-/// no file. argv[0] is settings.executable where the command starts with {executable}.
+/// renderer's seed_stride; the words of an image sequence stand in the place of {images} as often as it says.
+/// Exporters add placeholders of their formats. Arguments of the renderer's variant and of the scene replace
+/// {arguments}, or stand at the end of a command without it; a word with {plugin} stands there once for each
+/// plug-in. Pure, touches no file. argv[0] is settings.executable where the command starts with {executable}.
 Job make_job(const registry::Renderer& renderer,
              const scene::Scene& scene,
              const JobSettings& settings,

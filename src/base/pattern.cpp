@@ -108,10 +108,19 @@ std::shared_ptr<const regex_t> compiled(const std::string& text) {
 
 Pattern::Pattern(const std::string& text) : compiled_(compiled(text)) {}
 
+namespace {
+
+// A search may take time that grows with the square of the line's length: two minutes for a megabyte of
+// "error error error". Lines in which programs say something are short.
+constexpr std::size_t kLongestLine = 1000;
+
+}  // namespace
+
+bool Pattern::matches(const std::string& line) const {
+  return line.size() <= kLongestLine && ::regexec(compiled_.get(), line.c_str(), 0, nullptr, 0) == 0;
+}
+
 std::vector<std::string> Pattern::last_match(const std::string& text) const {
-  // A search may take time that grows with the square of the line's length: two minutes for a megabyte of
-  // "error error error". Lines in which programs say something are short.
-  constexpr std::size_t kLongestLine = 1000;
   for (std::size_t end = text.size();;) {
     const auto before = end == 0 ? std::string::npos : text.find_last_of("\n\r", end - 1);
     const auto begin = before == std::string::npos ? 0 : before + 1;

@@ -24,6 +24,9 @@ class Pattern {
   /// matches. Lines of more than 1000 bytes are not searched.
   std::vector<std::string> last_match(const std::string& text) const;
 
+  /// Whether something in the line matches; not for a line of more than 1000 bytes.
+  bool matches(const std::string& line) const;
+
  private:
   std::vector<std::string> last_match_in_line(const std::string& line) const;
 

@@ -28,6 +28,11 @@ void write_command(const Renderer& alike, json::Writer& out) {
     out.end_object();
   }
   if (alike.sampling.seed_stride > 1) out.member("seed_stride", alike.sampling.seed_stride);
+  if (!alike.command.sequence.words.empty()) {
+    out.key("image_sequence").begin_object().member("words", alike.command.sequence.words);
+    out.member("suffix", alike.command.sequence.suffix).end_object();
+  }
+  if (!alike.command.fails_on.empty()) out.member("fails_on", alike.command.fails_on);
   out.member("command", alike.command.words);
 }
 

@@ -52,14 +52,14 @@ Parts parts_of(std::string_view text) {
 const std::set<std::string>& argument_placeholders() {
   static const std::set<std::string> kNames{"executable",  "scene",     "output", "folder", "spp",
                                             "seed",        "threads",   "width",  "height", "aa_grid",
-                                            "trace_depth", "transport", "root",   "build"};
+                                            "trace_depth", "transport", "root",   "build",  "layer"};
   return kNames;
 }
 
 const std::set<std::string>& command_placeholders() {
   static const auto kNames = [] {
     auto names = argument_placeholders();
-    names.insert({"arguments", "plugin"});
+    names.insert({"arguments", "images", "plugin"});
     return names;
   }();
   return kNames;

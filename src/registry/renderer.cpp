@@ -42,10 +42,12 @@ void check_command(ObjectReader& in, const Command& command) {
   check_words(in, "command", words, command_placeholders(), "the program");
   if (words.front().empty() || words.front().starts_with('-'))
     in.fail_at("command", 0, fmt::format("must be a program or {{executable}}, is '{}'", words.front()));
-  for (std::size_t i = 0; i < words.size(); ++i)
-    if (uses_placeholder(words[i], "arguments") && (i == 0 || words[i] != "{arguments}"))
-      in.fail_at("command", i,
-                 "{arguments} stands for words of their own: it must be a word after the program");
+  for (const char* name : {"arguments", "images"})
+    for (std::size_t i = 0; i < words.size(); ++i)
+      if (uses_placeholder(words[i], name) && (i == 0 || words[i] != fmt::format("{{{}}}", name)))
+        in.fail_at(
+            "command", i,
+            fmt::format("{{{}}} stands for words of their own: it must be a word after the program", name));
   for (const char* needed : {"scene", "output"})
     if (!uses_placeholder(words, needed))
       in.fail("command", fmt::format("must use {{{}}}, or the renderer cannot know its {}", needed, needed));
@@ -61,6 +63,40 @@ void check_command(ObjectReader& in, const Command& command) {
   for (std::size_t i = 0; i < command.environment.size(); ++i)
     if (command.environment[i].empty() || command.environment[i].front() == '=')
       in.fail_at("environment", i, "must be NAME or NAME=value");
+}
+
+void check_image_sequence(ObjectReader& in, const Command& command) {
+  const bool has_place = uses_placeholder(command.words, "images");
+  if (!in.has("image_sequence")) {
+    if (has_place) in.fail("command", "uses {images}, for which there is no 'image_sequence'");
+    return;
+  }
+  if (!has_place)
+    in.fail("image_sequence", "needs {images} as a word of the command, where its words can stand");
+  if (uses_placeholder(command.words, "seed"))
+    in.fail("image_sequence",
+            "contradicts {seed} in the command: what takes a seed needs no sequence of images");
+  auto sequence = in.object("image_sequence");
+  const auto& of_image = command.sequence.words;
+  if (of_image.empty()) sequence.fail("words", "must hold at least one word");
+  for (std::size_t i = 0; i < of_image.size(); ++i)
+    if (const auto problem = placeholder_problem(of_image[i], {})) sequence.fail_at("words", i, *problem);
+  if (command.sequence.suffix.find('/') != std::string::npos)
+    sequence.fail("suffix", fmt::format("'{}' must be a part of a file's name", command.sequence.suffix));
+}
+
+std::string pattern_problem(const std::string& text) {
+  try {
+    return Pattern(text).matches("") ? "matches an empty line, and so every output" : "";
+  } catch (const InputError& e) {
+    return e.what();
+  }
+}
+
+void check_failing_words(ObjectReader& in, const Command& command) {
+  for (std::size_t i = 0; i < command.fails_on.size(); ++i)
+    if (const auto problem = pattern_problem(command.fails_on[i]); !problem.empty())
+      in.fail_at("fails_on", i, problem);
 }
 
 // `needed`: what the message says about the groups.
@@ -123,11 +159,11 @@ void check_support(ObjectReader& in, const Support& support) {
 
 void check_sampling(ObjectReader& in, const Sampling& sampling, const Command& command) {
   const bool has_seed = uses_placeholder(command.words, "seed");
-  if (sampling.seeds > 1 && !has_seed)
+  if (sampling.seeds > 1 && !takes_seed(command))
     in.fail("seeds", "needs {seed} in the command, or all renders would be the same");
   if (sampling.seed_stride > 1 && !has_seed)
     in.fail("seed_stride", "needs {seed} in the command, which it multiplies");
-  if (sampling.is_noise_free && has_seed)
+  if (sampling.is_noise_free && takes_seed(command))
     in.fail("noise_free", "contradicts {seed} in the command: what depends on a seed has noise");
 }
 
@@ -169,6 +205,7 @@ Renderer variant_of(ObjectReader in, const Variant& variant, const Renderer& ent
     if (const auto problem = placeholder_problem(variant.arguments[i], argument_placeholders()))
       in.fail_at("arguments", i, *problem);
   renderer.sampling.biased = variant.biased.value_or(entry.sampling.biased);
+  for (const auto& [setting, value] : variant.scene_settings) renderer.format.settings[setting] = value;
   return renderer;
 }
 
@@ -179,6 +216,8 @@ std::vector<Renderer> renderers_of(ObjectReader& in, RendererEntry entry, const 
   plain_name(in, "name");
   renderer.place = in.place("name");
   check_command(in, renderer.command);
+  check_image_sequence(in, renderer.command);
+  check_failing_words(in, renderer.command);
   check_version(in, renderer.command);
   check_format(in, renderer.format);
   check_support(in, renderer.support);
@@ -201,6 +240,10 @@ std::optional<std::string> limit_reason(const Renderer& renderer, const std::str
         limit.requirements.end())
       return limit.reason;
   return std::nullopt;
+}
+
+bool takes_seed(const Command& command) {
+  return uses_placeholder(command.words, "seed") || !command.sequence.words.empty();
 }
 
 std::string entry_name(const Renderer& renderer) {

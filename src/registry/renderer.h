@@ -20,6 +20,26 @@ namespace orbs::registry {
 inline constexpr const char* kNeutralFormat = "orbs-scene";
 inline constexpr const char* kNativeFormat = "native";
 
+/// How a program is called that takes no seed, but renders several images in one run, each with the random
+/// numbers that follow those of the image before. A render of `n` samples with seed `s` is then the `s`-th
+/// image of such a run.
+struct ImageSequence {
+  std::vector<std::string> words;  // in the place of {images} in the command, once for each image
+  std::string suffix;              // of the name of an image, before its ending, where a run makes several
+};
+
+template <class Visitor, json::RecordOf<ImageSequence> Record>
+void fields(Visitor& visit, Record& sequence) {
+  visit.required(
+      "words", sequence.words,
+      {.help =
+           "Words that ask for one image: they stand in the place of `{images}` in the command as often as "
+           "the seed says, and the last image counts"});
+  visit.required(
+      "suffix", sequence.suffix,
+      {.help = "What the program puts before the ending of `{output}` where it renders several images"});
+}
+
 /// How the program is called. No shell is involved.
 struct Command {
   std::string executable;  // a path with placeholders, or a program on PATH
@@ -30,6 +50,8 @@ struct Command {
   std::vector<std::string> readable{};  // in a sandbox; as plugins
   std::vector<std::string> version_command;
   std::string version_pattern;                  // "" for the whole first line
+  ImageSequence sequence{};                     // without words: it takes a seed, or none at all
+  std::vector<std::string> fails_on{};          // patterns for lines of its output
   std::vector<std::string> double_precision{};  // none: it has no double precision
 };
 
@@ -60,6 +82,15 @@ void fields(Visitor& visit, Record& command) {
              "the output that matches",
          .unset = "the whole first line",
          .changes_image = false});
+  visit("image_sequence", command.sequence,
+        {.help =
+             "For a program that takes no seed, but renders several images in one run, each with the random "
+             "numbers that follow those of the one before: they take the place of seeds"});
+  visit(
+      "fails_on", command.fails_on,
+      {.help =
+           "POSIX extended regular expressions: a render with a line of output that matches one has failed, "
+           "whatever its exit code"});
   visit(
       "double_precision", command.double_precision,
       {.help = "Arguments that follow the command where it is to work in double precision; `orbs stability` "
@@ -85,7 +116,7 @@ template <class Visitor, json::RecordOf<SceneFormat> Record>
 void fields(Visitor& visit, Record& format) {
   visit("scene_format", format.name,
         {.help =
-             "`orbs-scene`, `povray`, `mitsuba`, `pbrt`, `gltf`, or `native` for hand-written scenes only"});
+             "`orbs-scene`, `povray`, `mitsuba`, `pbrt`, `hydra`, `gltf`, or `native` for hand-written scenes only"});
   visit("scene_settings", format.settings,
         {.help = "Numbers for the exporter of the scene format, such as POV-Ray's `photons`"});
   // Those that a render gets are in scene_settings by then, see at_size() and for_scene().
@@ -287,6 +318,7 @@ struct Variant {
   std::string name;
   std::vector<std::string> arguments;
   std::optional<std::string> biased;  // in place of that of the entry
+  SceneSettings scene_settings{};     // in place of those of the entry
 };
 
 template <class Visitor, json::RecordOf<Variant> Record>
@@ -295,6 +327,7 @@ void fields(Visitor& visit, Record& variant) {
   visit.required("arguments", variant.arguments,
                  {.help = "In the place of `{arguments}` in the command, or at its end"});
   visit("biased", variant.biased, {.help = "In place of that of the entry"});
+  visit("scene_settings", variant.scene_settings, {.help = "In place of those of the entry, one by one"});
 }
 
 struct RendererEntry {
@@ -310,7 +343,7 @@ void fields(Visitor& visit, Record& entry) {
         {.help = "Of all processes of a render together, in place of those of the file"});
   visit("variants", entry.variants,
         {.help = "Ways to call the same program, each another renderer in every table: `name`, `arguments`, "
-                 "and `biased` in place of the entry's"});
+                 "and `biased` and `scene_settings` in place of the entry's"});
 }
 
 /// The renderers that an entry stands for: one for each of its variants, or the entry itself without any.
@@ -320,6 +353,9 @@ std::vector<Renderer> renderers_of(json::ObjectReader& in, RendererEntry entry, 
 
 /// The reason that `renderer` gives for not meeting a requirement; nothing when it gives none.
 std::optional<std::string> limit_reason(const Renderer& renderer, const std::string& requirement);
+
+/// Whether two renders with other seeds differ, so that several of them are more samples.
+bool takes_seed(const Command& command);
 
 /// "configuration.json:14: renderer 'pbrt'", as messages about the entry begin.
 std::string entry_name(const Renderer& renderer);

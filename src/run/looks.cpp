@@ -35,8 +35,7 @@ int first_look_spp(const Plan& plan, const registry::Renderer& renderer, int spp
   const auto& sampling = renderer.sampling;
   if (plan.settings.fixed_samples || sampling.is_noise_free || sampling.has_fixed_samples) return 0;
   if (plan.place == RenderPlace::Elsewhere || !plan.images.empty()) return 0;
-  for (const auto* name : {"spp", "seed"})
-    if (!registry::uses_placeholder(renderer.command.words, name)) return 0;
+  if (!registry::uses_placeholder(renderer.command.words, "spp") || !takes_seed(renderer.command)) return 0;
   return std::max({kFewest, power_of_two_below(std::max(1, spp / kOfTheCase)),
                    2 * power_of_two_above(sampling.least_spp)});
 }
@@ -53,6 +52,16 @@ int samples_after(const PlannedJob& job, int looks) {
 PlannedLook next_look(const PlannedJob& job, int looks, int run_seed) {
   const int more = samples_after(job, looks + 1) - samples_after(job, looks);
   return {more / 2, {seed_of(run_seed, 2 * looks), seed_of(run_seed, 2 * looks + 1)}};
+}
+
+PlannedLook next_look(const Plan& plan, const PlannedJob& job, int looks) {
+  const int run_seed = plan.settings.seed;
+  auto look = next_look(job, looks, run_seed);
+  if (plan.renderers[job.renderer].entry.command.sequence.words.empty()) return look;
+  constexpr int kImages = 4;
+  const int before = kImages * (run_seed - 1) + (looks == 0 ? 0 : 2);
+  look.seeds = {before + 1, before + 2};
+  return look;
 }
 
 double target_budget_seconds(const registry::RunSettings& settings) {

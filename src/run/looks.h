@@ -36,6 +36,12 @@ int samples_after(const PlannedJob& job, int looks);
 /// equal, and all jobs of a run have the same, so that the difference of two scenes loses their common noise.
 PlannedLook next_look(const PlannedJob& job, int looks, int run_seed);
 
+/// The look of a job of the plan. Where seeds count the images of a run (registry::ImageSequence), its
+/// renders are the third and the fourth image of one: a look has as many samples as all before, half of them
+/// in each render, so the first two images hold the random numbers of all looks before. The first look takes
+/// these two. The seed of the run shifts all by four.
+PlannedLook next_look(const Plan& plan, const PlannedJob& job, int looks);
+
 /// Seconds of rendering that one target gets at most.
 double target_budget_seconds(const registry::RunSettings& settings);
 

@@ -125,8 +125,19 @@ std::string exit_message(int code) {
                      is_signal ? fmt::format(", as after {}", adapters::signal_name(code - kShell)) : "");
 }
 
+// The first line of the output that says that the render has failed; "" where none does.
+std::string failing_line(const std::string& output, const adapters::Job& job) {
+  constexpr std::size_t kMost_bytes = 200;
+  for (const auto& text : job.fails_on) {
+    const Pattern pattern(text);
+    for (const auto& line : lines_with_text(output))
+      if (pattern.matches(line)) return shortened(clean_text(named_within(job.folder, line)), kMost_bytes);
+  }
+  return "";
+}
+
 Outcome process_outcome(const adapters::ProcessResult& process,
-                        const fs::path& folder,
+                        const adapters::Job& job,
                         const ProcessLimits& limits) {
   if (!process.start_error.empty())
     return {JobOutcome::Crash, fmt::format("could not start: {}", process.start_error), {}};
@@ -138,8 +149,11 @@ Outcome process_outcome(const adapters::ProcessResult& process,
   if (process.cause == Cause::Nothing && process.signal == 0 && process.exit_code != 0)
     outcome = {JobOutcome::Crash, exit_message(process.exit_code), {}};
   if (outcome.kind != JobOutcome::Image && outcome.kind != JobOutcome::Skipped)
-    if (const auto words = last_words(process.output, folder); !words.empty())
+    if (const auto words = last_words(process.output, job.folder); !words.empty())
       outcome.reason += fmt::format("; its last words: {}", words);
+  if (outcome.kind == JobOutcome::Image)
+    if (const auto line = failing_line(process.output, job); !line.empty())
+      return {JobOutcome::Crash, fmt::format("said that it failed: {}", line), {}};
   return outcome;
 }
 
@@ -247,7 +261,7 @@ Outcome check_pixels(const adapters::Job& job, const image::Image& image, const 
 Outcome classify(const adapters::ProcessResult& process,
                  const adapters::Job& job,
                  const ProcessLimits& limits) {
-  auto outcome = process_outcome(process, job.folder, limits);
+  auto outcome = process_outcome(process, job, limits);
   if (outcome.kind == JobOutcome::Image) outcome = image_outcome(job);
   // Channels and what a reader quotes of a file are the renderer's words, too.
   outcome.reason = clean_text(outcome.reason);

@@ -19,9 +19,9 @@ struct Outcome {
 };
 
 /// The first of these that applies, in this fixed order: could not start, ended by us (a limit, an
-/// interrupt), signal, exit code, no output, stale, unreadable, of another scene or job, wrong size, wrong
-/// channels, invalid pixels. A reason about the process ends with the
-/// line of its output that says most about why.
+/// interrupt), signal, exit code, a line of output that its entry calls a failure, no output, stale,
+/// unreadable, of another scene or job, wrong size, wrong channels, invalid pixels. A reason about the
+/// process ends with the line of its output that says most about why.
 Outcome classify(const adapters::ProcessResult& process,
                  const adapters::Job& job,
                  const ProcessLimits& limits);

@@ -99,6 +99,7 @@ std::vector<adapters::Job> replicas_of(const Plan& plan,
                                        const PlannedJob& job,
                                        const std::filesystem::path& run_folder) {
   const auto& renderer = plan.renderers[job.renderer];
+  const auto entry = entry_for(plan, job);
   adapters::JobSettings settings;
   settings.spp = job.spp;
   settings.seed = plan.settings.seed;
@@ -114,12 +115,12 @@ std::vector<adapters::Job> replicas_of(const Plan& plan,
     for (const int seed : job.look->seeds) {
       settings.seed = seed;
       settings.image_file = fmt::format("seed-{}.exr", seed);
-      two.push_back(adapters::make_job(renderer.entry, *plan.scenes[job.scene].scene, settings,
-                                       run_folder / job.folder));
+      two.push_back(
+          adapters::make_job(entry, *plan.scenes[job.scene].scene, settings, run_folder / job.folder));
     }
     return two;
   }
-  return replicas_of(renderer.entry, *plan.scenes[job.scene].scene, settings, run_folder / job.folder);
+  return replicas_of(entry, *plan.scenes[job.scene].scene, settings, run_folder / job.folder);
 }
 
 }  // namespace orbs::run

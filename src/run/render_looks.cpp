@@ -66,7 +66,7 @@ bool are_equal_renders(const Execution& execution) {
 // Renders a look of the job. What it leaves without a usable image, or what cannot be merged, ends the job.
 Execution rendered_look(RenderSession& session, std::size_t index, const JobRecord& before) {
   auto job = session.plan.jobs[index];
-  job.look = next_look(job, before.sampling.looks, session.plan.settings.seed);
+  job.look = next_look(session.plan, job, before.sampling.looks);
   auto execution = render_job(session, index, job);
   add_cost(before.cost, execution.record.cost);
   if (!has_image(execution.record)) return execution;

@@ -1,3 +1,4 @@
+#include "adapters/hydra/hydra.h"
 #include "adapters/mitsuba/mitsuba.h"
 #include "adapters/pbrt/colours.h"
 #include "adapters/pbrt/pbrt.h"
@@ -17,8 +18,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-/// Neither renderer is among Debian's packages, so what the exporters write is read back and compared with
-/// the scene it came from, for all scenes of the suite that they take.
+/// None of these renderers is among Debian's packages, so what the exporters write is read back and compared
+/// with the scene it came from, for all scenes of the suite that they take.
 namespace {
 
 using namespace orbs;
@@ -34,6 +35,13 @@ struct Format {
 const Format kMitsuba{"mitsuba", adapters::mitsuba_limits, adapters::write_mitsuba, tests::read_mitsuba};
 const Format kPbrt{"pbrt", adapters::pbrt_limits, adapters::write_pbrt, tests::read_pbrt};
 
+// Its integrator naivept counts scatterings as ours.
+const Format kHydra{"hydra", adapters::hydra_limits,
+                    [](const scene::Scene& scene, const fs::path& file) {
+                      adapters::write_hydra(scene, {{"naive", 1}}, file);
+                    },
+                    tests::read_hydra};
+
 class Exported : public testing::TestWithParam<Format> {
  protected:
   tests::ReadScene read_back(const scene::Scene& scene) const {
@@ -44,7 +52,13 @@ class Exported : public testing::TestWithParam<Format> {
   fs::path folder_ = scratch_.path();
 };
 
-INSTANTIATE_TEST_SUITE_P(Formats, Exported, testing::Values(kMitsuba, kPbrt), [](const auto& format) {
+INSTANTIATE_TEST_SUITE_P(Formats, Exported, testing::Values(kMitsuba, kPbrt, kHydra), [](const auto& format) {
+  return format.param.name;
+});
+
+class ExportedForTwo : public Exported {};
+
+INSTANTIATE_TEST_SUITE_P(Formats, ExportedForTwo, testing::Values(kMitsuba, kPbrt), [](const auto& format) {
   return format.param.name;
 });
 
@@ -160,7 +174,7 @@ TEST_P(Exported, SuiteScenesReadBackAsTheyWere) {
   }
 }
 
-TEST_P(Exported, WhatTheRendererLacksIsRefusedWithAReason) {
+TEST_P(ExportedForTwo, WhatTheRendererLacksIsRefusedWithAReason) {
   for (const auto& [name, word] : std::map<std::string, std::string>{{"l4_light_ies/232", "IES"},
                                                                      {"m6_emission_texture/124", "texture"},
                                                                      {"m7_oren_nayar/100", "Lambert"}}) {
@@ -203,7 +217,7 @@ TEST_P(Exported, SameSceneGivesTheSameText) {
   EXPECT_EQ(first, read_file(folder_ / "scene.txt"));
 }
 
-TEST_P(Exported, TexturesAreLinearImagesWithTheColourMultipliedIn) {
+TEST_P(ExportedForTwo, TexturesAreLinearImagesWithTheColourMultipliedIn) {
   scene::Scene scene = suite_scene("m4_lambert_texture/103");
   read_back(scene);
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {

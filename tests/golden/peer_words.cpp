@@ -106,6 +106,30 @@ std::set<std::string> mitsuba_words(const std::string& text) {
   return words;
 }
 
+namespace {
+
+void add_hydra_words(const Element& element, const std::string& parent, std::set<std::string>& words) {
+  const auto type = element.attributes.find("type");
+  const std::string own =
+      type == element.attributes.end() ? element.name : fmt::format("{} {}", element.name, type->second);
+  if (!parent.empty()) words.insert(fmt::format("{}/{}", parent, own));
+  for (const auto& [key, value] : element.attributes) {
+    if (key == "id" || key == "type") continue;
+    words.insert(fmt::format("{}@{}", own, key));
+    if (key == "shape" || key.starts_with("addressing_mode"))
+      words.insert(fmt::format("{}@{}={}", own, key, value));
+  }
+  for (const Element& child : element.children) add_hydra_words(child, own, words);
+}
+
+}  // namespace
+
+std::set<std::string> hydra_words(const std::string& text) {
+  std::set<std::string> words;
+  add_hydra_words(read_xml(text), "", words);
+  return words;
+}
+
 std::map<std::string, std::string> known_words(const std::string& text) {
   std::map<std::string, std::string> words;
   for (const std::string& line : split(text, '\n')) {

@@ -5,7 +5,7 @@
 #include <string>
 
 /// Which words of its format an exported file uses, in the form of tests/data/pbrt_words.txt and
-/// mitsuba_words.txt: facts from the sources of both programs, so that a file that they would refuse fails
+/// its like: facts from the sources of the programs, so that a file that they would refuse fails
 /// here.
 namespace orbs::tests {
 
@@ -14,6 +14,10 @@ std::set<std::string> pbrt_words(const std::string& text);
 
 /// "bsdf diffuse", "bsdf diffuse rgb reflectance", "attributes rgb name value", ... of a Mitsuba scene.
 std::set<std::string> mitsuba_words(const std::string& text);
+
+/// "material diffuse/bsdf", "bsdf oren-nayar", "instance@matrix", ... of a scene for HydraCore3: each node in
+/// its parent, with its type behind its name, and each attribute. Ids are left out: they are positions.
+std::set<std::string> hydra_words(const std::string& text);
 
 /// The words of a table and where each stands in the program's sources. Throws std::runtime_error for a line
 /// without a source.

@@ -1,11 +1,12 @@
-/// Every file that is exported for pbrt-v4 and Mitsuba 3 has only words that these programs know. Neither is
-/// a Debian package, so the words stand in tables that were taken from their sources.
+/// Every file that is exported for pbrt-v4, Mitsuba 3 and HydraCore3 has only words that these programs know.
+/// None is a Debian package, so the words stand in tables that were taken from their sources.
 #include "golden/peer_words.h"
 
 #include "adapters/export.h"
 #include "base/files.h"
 #include "registry/cases.h"
 #include "registry/configuration.h"
+#include "registry/renderer_variants.h"
 #include "scene/load/load_scene.h"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ std::map<std::string, std::string> known(const Peer& peer) {
 
 registry::Renderer entry(const registry::Configuration& configuration, const std::string& name) {
   return *std::find_if(configuration.renderers.begin(), configuration.renderers.end(),
-                       [&](const auto& renderer) { return renderer.name == name; });
+                       [&](const auto& renderer) { return registry::entry_of(renderer) == name; });
 }
 
 class PeerWords : public testing::TestWithParam<Peer> {
@@ -44,7 +45,8 @@ class PeerWords : public testing::TestWithParam<Peer> {
 INSTANTIATE_TEST_SUITE_P(Programs,
                          PeerWords,
                          testing::Values(Peer{"pbrt", tests::pbrt_words},
-                                         Peer{"mitsuba", tests::mitsuba_words}),
+                                         Peer{"mitsuba", tests::mitsuba_words},
+                                         Peer{"hydra", tests::hydra_words}),
                          [](const auto& peer) { return peer.param.name; });
 
 TEST_P(PeerWords, OfEveryExportedSceneAreThoseOfTheProgram) {

@@ -67,8 +67,9 @@ void add_mesh(Moments& moments, const scene::Mesh& mesh, const Mat4& place, bool
 
 std::vector<Vec3d> directions_of_u(const scene::Mesh& mesh, const Mat4& place);
 
-/// Both throw std::runtime_error for a text that is not well-formed or has a word they do not know.
+/// All throw std::runtime_error for a text that is not well-formed or has a word they do not know.
 ReadScene read_mitsuba(const std::filesystem::path& file);
 ReadScene read_pbrt(const std::filesystem::path& file);
+ReadScene read_hydra(const std::filesystem::path& file);
 
 }  // namespace orbs::tests

@@ -3,6 +3,7 @@
 #include "adapters/kind_support.h"
 #include "adapters/light_frame.h"
 #include "adapters/mitsuba/xml.h"
+#include "adapters/xml_comment.h"
 
 namespace orbs::adapters::mitsuba {
 
@@ -53,7 +54,7 @@ std::string light_limit(const scene::Light& light, const std::string& display_na
 }
 
 std::string light_text(const Colours& colours, const scene::Light& light) {
-  return fmt::format("{}{}<bsdf type=\"diffuse\">{}</bsdf>{}</shape>\n", comment(light.name),
+  return fmt::format("{}{}<bsdf type=\"diffuse\">{}</bsdf>{}</shape>\n", xml_comment(light.name),
                      text_of_shape(light, kName, ShapeWriter{light}),
                      colours.surface("reflectance", light.reflectance),
                      area_emitter(colours, light.radiance, light.spectrum));

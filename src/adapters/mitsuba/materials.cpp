@@ -3,6 +3,7 @@
 #include "adapters/kind_support.h"
 #include "adapters/mitsuba/xml.h"
 #include "adapters/tinted_image.h"
+#include "adapters/xml_comment.h"
 
 namespace orbs::adapters::mitsuba {
 
@@ -191,7 +192,7 @@ std::string bsdf_text(const Colours& colours, int material, const std::string& s
   const auto& m = material_at(colours.scene, material);
   const std::string id = fmt::format("material{}", material);
   const std::string image = tinted_image_name(material, stem);
-  return comment(m.name) + text_of_material(m, kName, BsdfWriter{colours, id, image});
+  return xml_comment(m.name) + text_of_material(m, kName, BsdfWriter{colours, id, image});
 }
 
 }  // namespace orbs::adapters::mitsuba

@@ -8,6 +8,7 @@
 #include "adapters/mitsuba/stokes_frame.h"
 #include "adapters/mitsuba/xml.h"
 #include "adapters/tinted_image.h"
+#include "adapters/xml_comment.h"
 #include "base/files.h"
 #include "base/nth.h"
 #include "scene/effects/effects.h"
@@ -22,7 +23,6 @@ namespace orbs::adapters {
 
 namespace {
 
-using mitsuba::comment;
 using mitsuba::to_world;
 using mitsuba::vector;
 
@@ -122,7 +122,7 @@ class Writer {
 
   std::string mesh_text(const MaterialMesh& shown, std::size_t index) {
     const auto& model = material_at(scene_, shown.material).model;
-    std::string text = comment(shown.mesh.name);
+    std::string text = xml_comment(shown.mesh.name);
     if (const auto* emission = std::get_if<scene::Emission>(&model)) {
       for (std::size_t i = 0; i < shown.places.size(); ++i)
         text += shape(mitsuba::emitting_mesh(scene_, shown.mesh, shown.places[i]),

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "adapters/exporter.h"
 #include "base/matrix.h"
 
 #include <string>
@@ -22,14 +21,6 @@ inline std::string rgb(std::string_view name, Vec3d colour) {
 inline std::string to_world(const Mat4& matrix) {
   return fmt::format("<transform name=\"to_world\"><matrix value=\"{}\"/></transform>",
                      fmt::join(matrix.m, " "));
-}
-
-/// Names come from the user: two hyphens in a row would end the comment (XML 1.0, 2.5), and the rest of the
-/// name would be read as markup.
-inline std::string comment(const std::string& name) {
-  std::string text;
-  for (const char c : comment_text(name)) text += c == '-' ? '_' : c;
-  return fmt::format("<!-- {} -->\n", text);
 }
 
 }  // namespace orbs::adapters::mitsuba

@@ -222,7 +222,7 @@ Exporter povray_exporter() {
       .write = [](const scene::Scene& scene, const SceneSettings& numbers,
                   const std::filesystem::path& file) { write_povray(scene, povray_settings(numbers), file); },
       .placeholders =
-          [](int spp) {
+          [](const scene::Scene&, const SceneSettings&, int spp) {
             return registry::Placeholders{{"aa_grid", std::to_string(povray_aa_grid(spp))}};
           }};
 }

@@ -25,7 +25,7 @@ std::string plan_text(const Plan& plan) {
     }
     if (!job.native_scene.empty()) text += fmt::format("    hand-written: {}\n", job.native_scene.string());
     auto first = job;
-    if (job.first_spp > 0) first.look = next_look(job, 0, plan.settings.seed);
+    if (job.first_spp > 0) first.look = next_look(plan, job, 0);
     for (const auto& replica : replicas_of(plan, first, "OUTPUT"))
       text += fmt::format("    {}\n", shell_text(replica.argv));
     if (job.first_spp > 0)

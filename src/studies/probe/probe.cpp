@@ -6,7 +6,6 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "metrics/seeds.h"
-#include "registry/placeholders.h"
 #include "run/job_folder.h"
 #include "run/render.h"
 #include "studies/probe/report.h"
@@ -40,7 +39,7 @@ std::optional<image::Image> render_with_noise(const ProbeInputs& inputs,
                                               const run::PreparedRender& subject,
                                               Ramp ramp) {
   std::vector<image::Image> replicas;
-  const bool has_seed = registry::uses_placeholder(subject.renderer.entry.command.words, "seed");
+  const bool has_seed = registry::takes_seed(subject.renderer.entry.command);
   for (const int seed : {1, 2}) {
     // Noise of colours may be negative where the colour is dark.
     const auto made = run::render_once(subject,

@@ -45,7 +45,7 @@ TEST(Exporters, AnUnknownFormatIsAnsweredWithAllFormatsAndTheNearest) {
   } catch (const InputError& e) {
     EXPECT_STREQ(
         e.what(),
-        "configuration.json:7: renderer 'r': scene_format: 'mitsubo' is not one of: gltf, mitsuba, native, "
+        "configuration.json:7: renderer 'r': scene_format: 'mitsubo' is not one of: gltf, hydra, mitsuba, native, "
         "orbs-scene, pbrt, povray (did you mean 'mitsuba'?)");
   }
 }

@@ -49,6 +49,21 @@ TEST(Job, SeedsStandAsFarApartAsTheRendererNeedsThem) {
   EXPECT_THROW(make_job(renderer, scene_of(1, 1), {1, 5000, 1, "", "", "/r"}, "/o"), orbs::InputError);
 }
 
+// A program without a seed draws other random numbers for each further image of one run.
+TEST(Job, TheSeedOfAnImageSequenceIsTheNumberOfItsImages) {
+  auto renderer = renderer_with({"{executable}", "{scene}", "{output}", "{images}", "{spp}"});
+  renderer.command.sequence = {{"-cam_id", "0"}, "_cam_000"};
+  const auto first = make_job(renderer, scene_of(1, 1), {4, 1, 1, "", "", "/r"}, "/o");
+  EXPECT_EQ(first.argv,
+            (std::vector<std::string>{"/r", "/o/scene.json", "/o/result.exr", "-cam_id", "0", "4"}));
+  EXPECT_EQ(first.image, "/o/result.exr");
+  const auto third = make_job(renderer, scene_of(1, 1), {4, 3, 1, "", "", "/r", "seed-3.exr"}, "/o");
+  EXPECT_EQ(third.argv, (std::vector<std::string>{"/r", "/o/scene.json", "/o/seed-3.exr", "-cam_id", "0",
+                                                  "-cam_id", "0", "-cam_id", "0", "4"}));
+  EXPECT_EQ(third.image, "/o/seed-3_cam_000.exr");
+  EXPECT_THROW(make_job(renderer, scene_of(1, 1), {4, 101, 1, "", "", "/r"}, "/o"), orbs::InputError);
+}
+
 // A path with spaces or shell characters is one argument, since there is no shell.
 TEST(Job, APathWithSpacesStaysOneArgument) {
   const auto job = make_job(renderer_with({"{executable}", "{scene}", "{output}"}), scene_of(1, 1),

@@ -16,6 +16,12 @@ TEST(Pattern, GivesTheGroupsOfTheLastMatch) {
   EXPECT_TRUE(pattern.last_match("").empty());
 }
 
+TEST(Pattern, SaysWhetherALineMatches) {
+  EXPECT_TRUE(Pattern("not found|ERROR").matches("HydraScene ERROR: x"));
+  EXPECT_FALSE(Pattern("^ERROR").matches("HydraScene ERROR: x"));
+  EXPECT_FALSE(Pattern("x").matches(std::string(1001, 'x')));
+}
+
 TEST(Pattern, IsMatchedLineByLine) {
   EXPECT_EQ(Pattern("^t ([0-9])$").last_match("t 1\nt 2 \nx t 3\n"), Groups{"1"});
   EXPECT_EQ(Pattern("a(.*)b").last_match("a1\n2b\na3b\n"), Groups{"3"});

@@ -77,6 +77,55 @@ TEST(Configuration, WhatTakesASeedIsNotNoiseFree) {
   EXPECT_NE(message.find("/renderers/0/noise_free: contradicts {seed}"), std::string::npos) << message;
 }
 
+TEST(Configuration, AnImageSequenceStandsInThePlaceOfASeed) {
+  const auto with = [](const std::string& words, const std::string& more) {
+    return with_renderer(
+        R"("name": "a", "executable": "a", "declares": "G1", "command": ["{executable}", "{scene}", "{output}")" +
+        words + "]" + more);
+  };
+  const std::string sequence = R"(, "image_sequence": {"words": ["-cam_id", "0"], "suffix": "_cam"})";
+  const auto read = load(with(R"(, "{images}")", sequence + R"(, "seeds": 2)")).renderers[0];
+  EXPECT_EQ(read.command.sequence.words, (std::vector<std::string>{"-cam_id", "0"}));
+  EXPECT_EQ(read.command.sequence.suffix, "_cam");
+  EXPECT_TRUE(takes_seed(read.command));
+  const auto problem = [&](const std::string& words, const std::string& more) {
+    const auto message = message_of(with(words, more));
+    return message.substr(message.find("/renderers"));
+  };
+  EXPECT_TRUE(problem("", sequence).starts_with("/renderers/0/image_sequence: needs {images}"));
+  EXPECT_TRUE(problem(R"(, "{images}")", "").starts_with("/renderers/0/command: uses {images}"));
+  EXPECT_TRUE(problem(R"(, "-n={images}")", sequence)
+                  .starts_with("/renderers/0/command/3: {images} stands for words"));
+  EXPECT_TRUE(
+      problem(R"(, "{images}", "{seed}")", sequence).starts_with("/renderers/0/image_sequence: contradicts"));
+  EXPECT_TRUE(problem(R"(, "{images}")", sequence + R"(, "noise_free": true)")
+                  .starts_with("/renderers/0/noise_free:"));
+}
+
+TEST(Configuration, WordsOfFailureArePatternsThatNotEveryLineMatches) {
+  const auto with = [](const std::string& patterns) {
+    const auto message = message_of(with_renderer(kRenderer + R"(, "fails_on": [)" + patterns + "]"));
+    return message.substr(std::min(message.size(), message.find("/renderers")));
+  };
+  EXPECT_EQ(load(with_renderer(kRenderer + R"(, "fails_on": ["ERROR", "not found"])"))
+                .renderers[0]
+                .command.fails_on,
+            (std::vector<std::string>{"ERROR", "not found"}));
+  EXPECT_EQ(with(R"("a", "x*")"), "/renderers/0/fails_on/1: matches an empty line, and so every output");
+  EXPECT_TRUE(with(R"("(")").starts_with("/renderers/0/fails_on/0: '(' is no regular expression"));
+}
+
+TEST(Configuration, AVariantMayHaveSettingsOfItsOwn) {
+  const auto renderers =
+      load(with_renderer(kRenderer +
+                         R"(, "scene_format": "povray", "scene_settings": {"photons": 5, "area_grid": 8},
+    "variants": [{"name": "a", "arguments": []}, {"name": "b", "arguments": [], "scene_settings": {"photons": 7}}])"))
+          .renderers;
+  EXPECT_EQ(renderers[0].format.settings.at("photons"), 5);
+  EXPECT_EQ(renderers[1].format.settings.at("photons"), 7);
+  EXPECT_EQ(renderers[1].format.settings.at("area_grid"), 8);
+}
+
 TEST(Configuration, FoldersAreRelativeToTheFile) {
   const auto configuration = load(with_renderer(kRenderer));
   EXPECT_EQ(configuration.suites[0].cases, configuration.root / "c");
@@ -184,7 +233,7 @@ TEST(Configuration, UnknownPlaceholdersAreFoundBeforeAnythingStarts) {
       message_of(with_renderer(
           R"("name": "a", "executable": "a", "declares": "G1", "command": ["{executable}", "{scene}", "{out}", "{output}"])")),
       "configuration.json:3:106: /renderers/0/command/2: unknown placeholder {out} (did you mean "
-      "'root'?); known are: aa_grid, arguments, build, data, executable, folder, height, output, plugin, root, scene, seed, spp, "
+      "'root'?); known are: aa_grid, arguments, build, data, executable, folder, height, images, layer, output, plugin, root, scene, seed, spp, "
       "threads, trace_depth, transport, width");
 }
 
@@ -314,7 +363,8 @@ TEST(Configuration, TheOneOfTheRepositoryIsRight) {
   const auto configuration = load_configuration(ORBS_SOURCE_DIR "/configuration.json");
   std::vector<std::string> formats;
   for (const auto& renderer : configuration.renderers) formats.push_back(renderer.format.name);
-  EXPECT_EQ(formats, (std::vector<std::string>{"orbs-scene", "orbs-scene", "povray", "mitsuba", "pbrt"}));
+  EXPECT_EQ(formats, (std::vector<std::string>{"orbs-scene", "orbs-scene", "povray", "mitsuba", "pbrt",
+                                               "hydra", "hydra", "hydra"}));
 }
 
 TEST(Configuration, WhatIsOnlyWhenNamedIsNoneOfAllRenderers) {

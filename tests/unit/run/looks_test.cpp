@@ -71,6 +71,32 @@ TEST(Looks, DoubleTheSamplesAndUseNoSeedTwice) {
   EXPECT_NE(next_look(job, 0, 1).seeds, next_look(job, 0, 2).seeds);
 }
 
+// With n samples, the seed s is the s-th block of n samples of one sequence. No sample is rendered twice.
+TEST(Looks, OfAnImageSequenceGoOnWhereTheLastOneEnded) {
+  Plan plan;
+  plan.renderers.emplace_back();
+  auto& command = plan.renderers[0].entry.command;
+  command.words = {"r", "{spp}", "{images}"};
+  EXPECT_EQ(first_look_spp(plan, plan.renderers[0].entry, 128), 0);
+  command.sequence.words = {"-cam_id", "0"};
+  EXPECT_EQ(first_look_spp(plan, plan.renderers[0].entry, 128), 32);
+  PlannedJob job;
+  job.first_spp = 32;
+  int samples = 0;
+  for (int looks = 0; looks < kMostLooks; ++looks) {
+    const auto look = next_look(plan, job, looks);
+    for (const int seed : look.seeds) {
+      EXPECT_EQ((seed - 1) * look.spp, samples);
+      EXPECT_LE(seed, 4);
+      samples += look.spp;
+    }
+  }
+  plan.settings.seed = 2;
+  EXPECT_EQ(next_look(plan, job, 1).seeds, (std::array<int, 2>{7, 8}));
+  command.sequence.words.clear();
+  EXPECT_EQ(next_look(plan, job, 1).seeds, next_look(job, 1, 2).seeds);
+}
+
 TEST(Looks, EndWhenDecidedOrBeyondTheBudget) {
   EXPECT_EQ(end_after({}, 1, 1, 100).name, "decided");
   EXPECT_EQ(end_after(open_look(4, 1), 1, 10, 100).name, "");

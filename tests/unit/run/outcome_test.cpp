@@ -77,6 +77,20 @@ TEST_F(OutcomeTest, AGoodImageDoesNotExcuseABadEnd) {
   EXPECT_EQ(outcome(process).kind, JobOutcome::Crash);
 }
 
+// Its exit code is 0 and the image is there, without the mesh.
+TEST_F(OutcomeTest, ALineThatItsEntryCallsAFailureIsOne) {
+  write(4, 3, {"R", "G", "B"});
+  ProcessResult process;
+  process.output =
+      "loading\nMesh not found at: " + (scratch_.path() / "a.vsgf").string() + "\n 10 %\r100 %\n";
+  EXPECT_EQ(outcome(process).kind, JobOutcome::Image);
+  job_.fails_on = {"^ERROR", "not found"};
+  EXPECT_EQ(outcome(process).kind, JobOutcome::Crash);
+  EXPECT_EQ(outcome(process).reason, "said that it failed: Mesh not found at: a.vsgf");
+  process.exit_code = 3;
+  EXPECT_TRUE(outcome(process).reason.starts_with("ended with exit code 3")) << outcome(process).reason;
+}
+
 TEST_F(OutcomeTest, NoImageIsNoOutput) {
   EXPECT_EQ(outcome().kind, JobOutcome::NoOutput);
   EXPECT_EQ(outcome().reason, "wrote no result.exr");

@@ -64,6 +64,7 @@ struct ChangeOne {
   void change(std::vector<std::string>& words) { words.emplace_back("x"); }
   void change(registry::FeatureSet& features) { features['M'].insert(3); }
   void change(registry::RenderSeconds& seconds) { seconds.pattern += "x"; }
+  void change(registry::ImageSequence& sequence) { sequence.suffix += "x"; }
   template <class T>
   void change(std::vector<T>& items) {
     items.emplace_back();

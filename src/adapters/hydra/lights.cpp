@@ -1,0 +1,114 @@
+#include "adapters/hydra/lights.h"
+
+#include "adapters/hydra/ies.h"
+#include "adapters/hydra/xml.h"
+#include "adapters/kind_support.h"
+#include "adapters/xml_comment.h"
+#include "scene/geometry/generators/round.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace orbs::adapters::hydra {
+
+namespace {
+
+constexpr const char* kName = "HydraCore3";
+
+// The halves of a rectangle have each other's names there.
+struct SizeWriter {
+  std::string operator()(const scene::RectShape& rect) const {
+    return fmt::format("<size half_length=\"{}\" half_width=\"{}\"/>", rect.half_width_m, rect.half_length_m);
+  }
+  std::string operator()(const scene::DiskShape& disk) const {
+    return fmt::format("<size radius=\"{}\"/>", disk.radius_m);
+  }
+  std::string operator()(const scene::SphereShape& sphere) const {
+    return fmt::format("<size radius=\"{}\"/>", sphere.radius_m);
+  }
+};
+
+std::string radiance_node(scene::RgbColour radiance, double multiplier) {
+  return "<intensity>" + value_node("color", radiance) + value_node("multiplier", multiplier) +
+         "</intensity>";
+}
+
+// It takes the area as the product of the lengths of two columns, and the third for the direction.
+bool is_sheared(const scene::Light& light) {
+  if (std::holds_alternative<scene::SphereShape>(light.shape)) return false;
+  constexpr double kRounding = 1e-6;
+  const Vec3d x = transform_direction(light.matrix, {1, 0, 0});
+  const Vec3d y = transform_direction(light.matrix, {0, 1, 0});
+  const Vec3d z = transform_direction(light.matrix, {0, 0, 1});
+  const auto are_oblique = [](Vec3d a, Vec3d b) {
+    return std::abs(dot(a, b)) > kRounding * length(a) * length(b);
+  };
+  return are_oblique(x, y) || are_oblique(y, z) || are_oblique(x, z);
+}
+
+struct MeshOfShape {
+  scene::Mesh operator()(const scene::RectShape& rect) const {
+    scene::Mesh mesh;
+    for (const double z : {-1.0, 1.0})
+      for (const double x : {-1.0, 1.0})
+        add_vertex(mesh, {x * rect.half_width_m, 0, z * rect.half_length_m}, {0, -1, 0},
+                   {0.5 + 0.5 * x, 0.5 + 0.5 * z});
+    mesh.triangles = {{0, 1, 3}, {0, 3, 2}};
+    return mesh;
+  }
+  // 256 corners leave out 0.01 % of its area.
+  scene::Mesh operator()(const scene::DiskShape& disk) const {
+    constexpr std::uint32_t kCorners = 256;
+    scene::Mesh mesh;
+    for (std::uint32_t i = 0; i < kCorners; ++i) {
+      const double angle = 2 * std::numbers::pi * i / kCorners;
+      const Vec3d place{std::cos(angle), 0, std::sin(angle)};
+      add_vertex(mesh, place * disk.radius_m, {0, -1, 0}, {0.5 + 0.5 * place.x, 0.5 + 0.5 * place.z});
+    }
+    const std::uint32_t centre = add_vertex(mesh, {}, {0, -1, 0}, {0.5, 0.5});
+    for (std::uint32_t i = 0; i < kCorners; ++i) mesh.triangles.push_back({centre, i, (i + 1) % kCorners});
+    return mesh;
+  }
+  scene::Mesh operator()(const scene::SphereShape& sphere) const {
+    return scene::make_sphere({.radius_m = sphere.radius_m, .segments = 128});
+  }
+};
+
+}  // namespace
+
+std::string light_limit(const scene::Light& light, const std::string& display_name) {
+  if (auto reason = limit_of_shape<SizeWriter>(light, display_name, kName); !reason.empty()) return reason;
+  if (light.reflectance != scene::RgbColour{})
+    return display_name + " reflects where it shines: HydraCore3's lights reflect nothing";
+  if (is_sheared(light))
+    return display_name + " is sheared, and HydraCore3 takes its area for that of a rectangle";
+  if (light.ies)
+    if (const auto reason = ies_limit(*light.ies, light.matrix); !reason.empty())
+      return display_name + " " + reason;
+  return "";
+}
+
+std::string light_node(const scene::Light& light, int position, const std::string& ies_file) {
+  std::string inner = text_of_shape(light, kName, SizeWriter{});
+  double multiplier = 1;
+  if (light.ies) {
+    multiplier = ies_grid(*light.ies->profile).peak;
+    inner += fmt::format("<ies loc=\"{}\" matrix=\"{}\" point_area=\"{}\"/>", ies_file,
+                         numbers(ies_matrix(*light.ies, light.matrix)), light.ies->point_area ? 1 : 0);
+  }
+  return xml_comment(light.name) + fmt::format("<light id=\"{}\" type=\"area\" shape=\"{}\">{}{}</light>\n",
+                                               position, type_name(light.shape), inner,
+                                               radiance_node(light.radiance, multiplier));
+}
+
+std::string sky_node(scene::RgbColour radiance, int position) {
+  return fmt::format("<light id=\"{}\" type=\"sky\">{}</light>\n", position, radiance_node(radiance, 1));
+}
+
+scene::Mesh light_mesh(const scene::Light& light) {
+  scene::Mesh mesh = std::visit(MeshOfShape{}, light.shape);
+  mesh.triangle_materials.assign(mesh.triangles.size(), 0);
+  return mesh;
+}
+
+}  // namespace orbs::adapters::hydra
