@@ -1,6 +1,7 @@
 #include "adapters/export.h"
 
 #include "adapters/mitsuba/mitsuba.h"
+#include "adapters/obj/obj.h"
 #include "adapters/pbrt/pbrt.h"
 #include "adapters/povray/povray.h"
 #include "adapters/transports.h"
@@ -102,10 +103,8 @@ Exporter neutral_exporter() {
 
 const std::vector<Exporter>& exporters() {
   static const std::vector<Exporter> kExporters{
-      neutral_exporter(),
-      povray_exporter(),
-      mitsuba_exporter(),
-      pbrt_exporter(),
+      neutral_exporter(), povray_exporter(), mitsuba_exporter(),
+      pbrt_exporter(),    obj_exporter(),    ply_exporter(),
   };
   return kExporters;
 }

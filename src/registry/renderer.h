@@ -31,6 +31,7 @@ struct Command {
   std::vector<std::string> version_command;
   std::string version_pattern;                  // "" for the whole first line
   std::vector<std::string> double_precision{};  // none: it has no double precision
+  bool is_elsewhere = false;  // on no machine of ours: its scenes are exported, and its images come back
 };
 
 template <class Visitor, json::RecordOf<Command> Record>
@@ -38,6 +39,12 @@ void fields(Visitor& visit, Record& command) {
   visit.required("executable", command.executable,
                  {.help = "A program on PATH, or a path that may begin with `{root}`, the folder of "
                           "`configuration.json`, or `{build}`"});
+  visit("elsewhere", command.is_elsewhere,
+        {.help =
+             "`true`: the program is on no machine that `orbs` knows. `orbs export` writes its scenes and "
+             "`orbs judge` judges the images that come back; all else leaves it out unless `--exec` names a "
+             "program",
+         .changes_image = false});
   visit.required(
       "command", command.words,
       {.help = "Program and arguments, each word one argument; must use `{scene}` and `{output}`"});
@@ -83,8 +90,10 @@ struct SceneFormat {
 
 template <class Visitor, json::RecordOf<SceneFormat> Record>
 void fields(Visitor& visit, Record& format) {
-  visit("scene_format", format.name,
-        {.help = "`orbs-scene`, `povray`, `mitsuba`, `pbrt`, or `native` for hand-written scenes only"});
+  visit(
+      "scene_format", format.name,
+      {.help =
+           "`orbs-scene`, `povray`, `mitsuba`, `pbrt`, `obj`, `ply`, or `native` for hand-written scenes only"});
   visit("scene_settings", format.settings,
         {.help = "Numbers for the exporter of the scene format, such as POV-Ray's `photons`"});
   // Those that a render gets are in scene_settings by then, see at_size() and for_scene().

@@ -45,7 +45,7 @@ const std::map<std::string, const char*> kDemands{
     {"version_command", R"({"minItems": 1})"},
     {"plugins", R"({"minItems": 1, "items": {"type": "string", "minLength": 1}})"},
     {"environment", R"({"items": {"type": "string", "pattern": "^[^=]"}})"},
-    {"scene_format", R"({"enum": ["orbs-scene", "povray", "mitsuba", "pbrt", "native"]})"},
+    {"scene_format", R"({"enum": ["orbs-scene", "povray", "mitsuba", "pbrt", "obj", "ply", "native"]})"},
     {"native_scenes", R"({"pattern": "^[^./\\\\*? \\t\\n][^/\\\\*? \\t\\n]*$"})"},
     {"transports",
      R"({"propertyNames": {"enum": ["rgb", "spectral", "polarised", "bispectral", "polarised-bispectral"]}, "additionalProperties": {"type": "string", "minLength": 1}})"},
