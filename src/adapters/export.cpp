@@ -3,6 +3,7 @@
 #include "adapters/gltf/gltf.h"
 #include "adapters/hydra/hydra.h"
 #include "adapters/mitsuba/mitsuba.h"
+#include "adapters/obj/obj.h"
 #include "adapters/pbrt/pbrt.h"
 #include "adapters/povray/povray.h"
 #include "adapters/transports.h"
@@ -104,7 +105,8 @@ Exporter neutral_exporter() {
 
 const std::vector<Exporter>& exporters() {
   static const std::vector<Exporter> kExporters{
-      neutral_exporter(), povray_exporter(), mitsuba_exporter(), pbrt_exporter(), hydra_exporter(), gltf_exporter(),
+      neutral_exporter(), povray_exporter(), mitsuba_exporter(), pbrt_exporter(),
+      hydra_exporter(),   gltf_exporter(),   obj_exporter(),     ply_exporter(),
   };
   return kExporters;
 }

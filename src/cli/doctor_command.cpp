@@ -51,7 +51,9 @@ Examined examine(const registry::Renderer& renderer,
                  const run::Plan& places,
                  const std::optional<std::set<std::string>>& scenes) {
   Examined found{&renderer, run::installed_executable(renderer, places.root, places.build), "", "", {}};
-  if (!found.executable)
+  if (renderer.command.is_elsewhere)
+    found.problem = "it is elsewhere, for orbs export and orbs judge";
+  else if (!found.executable)
     found.problem = adapters::program_problem(run::program_name(renderer, places.root, places.build));
   if (found.executable && !renderer.command.version_command.empty())
     found.version =

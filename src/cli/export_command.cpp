@@ -9,6 +9,7 @@
 #include "run/plan/plan_file.h"
 #include "run/run_file.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -49,21 +50,36 @@ void check_format(const run::Plan& plan, const std::string& format) {
                                    renderer.entry.format.name, named_formats().at(format)));
 }
 
+std::string next_step(const run::Plan& plan, const std::string& folder) {
+  const bool has_programs =
+      std::none_of(plan.renderers.begin(), plan.renderers.end(),
+                   [](const auto& renderer) { return renderer.entry.command.is_elsewhere; });
+  return has_programs
+             ? fmt::format("sh {}/render.sh, where the renderer is; then here: orbs judge {}", folder, folder)
+             : fmt::format(
+                   "render the images that {}/export.json lists and put each in its place there, or "
+                   "RENDERER=... sh render.sh; then here: orbs judge {}",
+                   folder, folder);
+}
+
 int export_scenes(const command_line::Command& command,
                   const registry::Configuration& configuration,
                   registry::RunSettings settings,
                   const Options& options,
                   const Program& program) {
-  if (!command.is_given("--renderer")) settings.renderers = renderer_of(configuration, options.format);
+  const bool has_renderers = command.is_given("--renderer");
+  if (options.format.empty() && !has_renderers)
+    throw InputError(
+        "expected a renderer (-r NAME) or a --format; 'orbs list renderers' shows what there is");
+  if (!has_renderers) settings.renderers = renderer_of(configuration, options.format);
   const auto plan = run::make_plan(configuration, settings, program.folder, run::RenderPlace::Elsewhere);
-  check_format(plan, options.format);
+  if (!options.format.empty()) check_format(plan, options.format);
   const auto folder = run::make_run_folder(options.run.output, "export");
   const auto exported = run::export_plan(plan, folder);
   run::write_plan(run::filed_plan(plan, program.version), folder);
   print_clean("{} renders written to {}\n", exported.renders, folder.string());
   for (const auto& left : exported.left_out) print_clean("left out: {}\n", left);
-  print_clean("next: sh {}, where the renderer is; then here: orbs judge {}\n",
-              (folder / "render.sh").string(), folder.string());
+  print_clean("next: {}\n", next_step(plan, folder.string()));
   return 0;
 }
 
@@ -74,9 +90,8 @@ void add_export_command(const command_line::Command& command, const Program& pro
   const auto options = std::make_shared<Options>();
   std::vector<std::string> formats;
   for (const auto& [name, word] : named_formats()) formats.push_back(name);
-  command.add_option("--format", options->format, "Scene format to write")
+  command.add_option("--format", options->format, "Scene format to write (default: what the renderers read)")
       .value_name("FORMAT")
-      .required()
       .one_of(formats);
   add_settings(command, options->run, settings_but([] {
                  auto left_out = registry::kCallSettings;

@@ -53,6 +53,7 @@ struct Command {
   ImageSequence sequence{};                     // without words: it takes a seed, or none at all
   std::vector<std::string> fails_on{};          // patterns for lines of its output
   std::vector<std::string> double_precision{};  // none: it has no double precision
+  bool is_elsewhere = false;  // on no machine of ours: its scenes are exported, and its images come back
 };
 
 template <class Visitor, json::RecordOf<Command> Record>
@@ -60,6 +61,12 @@ void fields(Visitor& visit, Record& command) {
   visit.required("executable", command.executable,
                  {.help = "A program on PATH, or a path that may begin with `{root}`, the folder of "
                           "`configuration.json`, or `{build}`"});
+  visit("elsewhere", command.is_elsewhere,
+        {.help =
+             "`true`: the program is on no machine that `orbs` knows. `orbs export` writes its scenes and "
+             "`orbs judge` judges the images that come back; all else leaves it out unless `--exec` names a "
+             "program",
+         .changes_image = false});
   visit.required(
       "command", command.words,
       {.help = "Program and arguments, each word one argument; must use `{scene}` and `{output}`"});
@@ -114,9 +121,10 @@ struct SceneFormat {
 
 template <class Visitor, json::RecordOf<SceneFormat> Record>
 void fields(Visitor& visit, Record& format) {
-  visit("scene_format", format.name,
-        {.help =
-             "`orbs-scene`, `povray`, `mitsuba`, `pbrt`, `hydra`, `gltf`, or `native` for hand-written scenes only"});
+  visit(
+      "scene_format", format.name,
+      {.help =
+           "`orbs-scene`, `povray`, `mitsuba`, `pbrt`, `hydra`, `gltf`, `obj`, `ply`, or `native` for hand-written scenes only"});
   visit("scene_settings", format.settings,
         {.help = "Numbers for the exporter of the scene format, such as POV-Ray's `photons`"});
   // Those that a render gets are in scene_settings by then, see at_size() and for_scene().

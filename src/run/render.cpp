@@ -140,11 +140,31 @@ adapters::ProcessResult start(const RenderJob& job,
   return adapters::run_process(request);
 }
 
+// Who renders elsewhere may have no OpenEXR. Of what cannot be read the bytes are kept, for the verdict to
+// say so.
+void take_other_format(const std::filesystem::path& file, const std::filesystem::path& exr) {
+  try {
+    image::write_exr(image::read_linear_rgb(file), exr);
+  } catch (const WriteError&) {
+    throw;
+  } catch (const InputError&) {
+    write_file(exr, read_file(file));
+  }
+}
+
 // Puts the image that came back in the place where a renderer would have left it. Without one nothing was
 // written.
 adapters::ProcessResult take_image(const adapters::Job& job, const std::filesystem::path& from) {
-  const auto image = from / job.image.filename();
-  if (no_file_problem(image).empty()) write_file(job.image, read_file(image));
+  auto image = from / job.image.filename();
+  if (no_file_problem(image).empty()) {
+    write_file(job.image, read_file(image));
+    return {};
+  }
+  for (const char* ending : {".pfm", ".hdr"})
+    if (no_file_problem(image.replace_extension(ending)).empty()) {
+      take_other_format(image, job.image);
+      break;
+    }
   return {};
 }
 

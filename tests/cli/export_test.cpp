@@ -101,6 +101,7 @@ TEST(Export, ListsTheImagesForProgramsThatReadNoScript) {
   "format": "orbs-export/1",
   "suite": "t",
   "size": "1",
+  "image_format": "OpenEXR with the channels R, G and B, 32-bit float: linear Rec.709 radiance without a tone curve, not denoised; each pixel is the mean over its square. In place of an .exr that is not there, a .pfm or .hdr of the same name is taken",
   "images": [
     {
       "image": "good/grey/result.exr",
@@ -111,7 +112,9 @@ TEST(Export, ListsTheImagesForProgramsThatReadNoScript) {
       "height_px": 8,
       "spp": 8,
       "seed": 3,
-      "trace_depth": 5
+      "trace_depth": 5,
+      "time_limit_seconds": 60,
+      "files": ["good/grey/scene.0.ply", "good/grey/scene.json"]
     }
   ]
 }

@@ -8,6 +8,8 @@
 #include "run/job_folder.h"
 #include "run/prepare.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -28,6 +30,8 @@ struct ExportedImage {
   int spp = 0;
   long long seed = 0;
   int trace_depth = 0;
+  double time_limit_seconds = 0;
+  std::vector<std::string> files;  // that the scene is made of: what there is to convert
 };
 
 template <class Visitor, json::RecordOf<ExportedImage> Record>
@@ -41,6 +45,8 @@ void fields(Visitor& visit, Record& one) {
   visit.required("spp", one.spp);
   visit.required("seed", one.seed);
   visit.required("trace_depth", one.trace_depth);
+  visit.required("time_limit_seconds", one.time_limit_seconds);
+  visit.required("files", one.files);
 }
 
 // What the program is called where it is found by its name: no folder of this machine.
@@ -65,6 +71,13 @@ std::string command_line(const adapters::Job& job,
   return fmt::format("{}", fmt::join(words, " "));
 }
 
+// What the shell takes for the program: it ends with a message where nobody says what it is called.
+std::string program_of(const ChosenRenderer& renderer) {
+  return renderer.entry.command.is_elsewhere
+             ? "${RENDERER:?is not set: the program that renders; export.json lists the images}"
+             : fmt::format("${{RENDERER:-{}}}", shell_text({program_elsewhere(renderer)}));
+}
+
 std::string job_lines(const Plan& plan,
                       const PlannedJob& job,
                       const std::vector<adapters::Job>& replicas,
@@ -76,12 +89,20 @@ std::string job_lines(const Plan& plan,
   for (const auto& replica : replicas) commands.push_back(command_line(replica, renderer, carried));
   return fmt::format(
       "# {}: {} x {} px, trace depth {}, {} samples per pixel{}, seed {}\n"
-      "renderer=${{RENDERER:-{}}}\n"
+      "renderer={}\n"
       "(cd {} && {})\n\n",
       scene.name, camera.width_px, camera.height_px, scene.scene->trace_depth, job.spp,
       replicas.size() > 1 ? fmt::format(" in {} images", replicas.size()) : "", plan.settings.seed,
-      shell_text({program_elsewhere(renderer)}), shell_text({job.folder.string()}),
-      fmt::join(commands, " && "));
+      program_of(renderer), shell_text({job.folder.string()}), fmt::join(commands, " && "));
+}
+
+// All that lies in the folder of the render, which holds nothing else before it is rendered.
+std::vector<std::string> files_of_scene(const fs::path& scene_folder, const fs::path& folder) {
+  std::vector<std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(scene_folder))
+    if (entry.is_regular_file()) files.push_back(entry.path().lexically_relative(folder).string());
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 void list_images(const Plan& plan,
@@ -90,17 +111,25 @@ void list_images(const Plan& plan,
                  const fs::path& folder,
                  std::vector<ExportedImage>& images) {
   const auto& scene = plan.scenes[job.scene];
+  const auto files = files_of_scene(replicas.front().folder, folder);
+  const auto seconds = limits_of(plan, job).wall_seconds;
   for (const auto& replica : replicas)
     images.push_back({replica.image.lexically_relative(folder).string(),
                       replica.scene_file.lexically_relative(folder).string(), scene.name,
                       plan.renderers[job.renderer].entry.name, replica.width_px, replica.height_px,
-                      replica.spp, replica.seed, scene.scene->trace_depth});
+                      replica.spp, replica.seed, scene.scene->trace_depth, seconds, files});
 }
+
+constexpr const char* kImageFormat =
+    "OpenEXR with the channels R, G and B, 32-bit float: linear Rec.709 radiance without a tone curve, not denoised; "
+    "each pixel is the mean over its square. In place of an .exr that is not there, a .pfm or .hdr of the same name is "
+    "taken";
 
 void write_list(const Plan& plan, const std::vector<ExportedImage>& images, const fs::path& folder) {
   json::Writer out;
   out.begin_object().member("format", "orbs-export/1").member("suite", plan.suite.name);
-  out.member("size", registry::size_text(plan.settings.size_divisor)).key("images").begin_array();
+  out.member("size", registry::size_text(plan.settings.size_divisor));
+  out.member("image_format", kImageFormat).key("images").begin_array();
   for (const auto& image : images) json::write_record(out, image);
   write_file(folder / "export.json", out.end_array().end_object().text());
 }

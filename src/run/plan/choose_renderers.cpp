@@ -25,6 +25,19 @@ void take_executable(ChosenRenderer& chosen, const std::string& given) {
   chosen.executable = *found;
 }
 
+// In full, itself or its entry, and not by a pattern.
+bool is_named(const registry::Renderer& renderer, const std::vector<std::string>& patterns) {
+  return std::find(patterns.begin(), patterns.end(), renderer.name) != patterns.end() ||
+         std::find(patterns.begin(), patterns.end(), renderer.variant_of) != patterns.end();
+}
+
+[[noreturn]] void refuse_elsewhere(const registry::Renderer& renderer) {
+  throw InputError(fmt::format(
+      "renderer '{0}' is elsewhere, says its entry: orbs export -r {0} writes its scenes, and orbs judge "
+      "judges the images that come back; to start a program here, name it with -e",
+      renderer.name));
+}
+
 // At every size and for every scene that has its own, so that a misspelled name is an error of the first run.
 void check_all_settings(const registry::Renderer& renderer) {
   for (const auto divisor : registry::kSizeDivisors) {
@@ -66,10 +79,12 @@ void choose_renderers(const registry::Configuration& configuration, Plan& plan) 
       chosen.executable = program_name(renderer, plan.root, plan.build);
     } else if (!plan.settings.executable.empty()) {
       take_executable(chosen, plan.settings.executable);
+    } else if (renderer.command.is_elsewhere) {
+      if (is_named(renderer, patterns)) refuse_elsewhere(renderer);
+      continue;
     } else if (const auto found = installed_executable(renderer, plan.root, plan.build)) {
       chosen.executable = *found;
-    } else if (std::find(patterns.begin(), patterns.end(), renderer.name) != patterns.end() ||
-               std::find(patterns.begin(), patterns.end(), renderer.variant_of) != patterns.end()) {
+    } else if (is_named(renderer, patterns)) {
       throw InputError(fmt::format("renderer '{}': {}; install it, or name another program with -e",
                                    renderer.name,
                                    adapters::program_problem(program_name(renderer, plan.root, plan.build))));

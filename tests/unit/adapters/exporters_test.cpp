@@ -45,8 +45,8 @@ TEST(Exporters, AnUnknownFormatIsAnsweredWithAllFormatsAndTheNearest) {
   } catch (const InputError& e) {
     EXPECT_STREQ(
         e.what(),
-        "configuration.json:7: renderer 'r': scene_format: 'mitsubo' is not one of: gltf, hydra, mitsuba, native, "
-        "orbs-scene, pbrt, povray (did you mean 'mitsuba'?)");
+        "configuration.json:7: renderer 'r': scene_format: 'mitsubo' is not one of: gltf, hydra, mitsuba, native, obj, "
+        "orbs-scene, pbrt, ply, povray (did you mean 'mitsuba'?)");
   }
 }
 

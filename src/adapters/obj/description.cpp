@@ -1,0 +1,145 @@
+#include "adapters/obj/description.h"
+
+#include "adapters/obj/lamp_words.h"
+#include "adapters/obj/mtl.h"
+#include "base/files.h"
+#include "json/writer.h"
+
+#include <set>
+
+#include <fmt/format.h>
+
+namespace orbs::adapters::obj {
+
+namespace {
+
+constexpr const char* kConventions =
+    "Lengths are metres; y is up; axes are right-handed. Colours and radiances are linear Rec.709, red, green, "
+    "blue; radiance is what the pixel shows. A matrix is 16 numbers, row by row, for column vectors. Vertex "
+    "normals, interpolated over each triangle, are those of the surface; they say which side is outside.";
+constexpr const char* kCameraWords =
+    "a pinhole at position that looks at look_at, with up upwards; fov_y_degrees is the whole vertical angle. A "
+    "pixel is the mean over its square: a box filter of one pixel. Nothing is clipped near or far";
+constexpr const char* kTraceDepthWords =
+    "a light path has at most so many surfaces at which it is reflected or refracted, between the lamp and the "
+    "camera; 1 is direct light. Mirrors and glass count. What emits is no such surface";
+constexpr const char* kTextureWords =
+    "its texels multiply the colour. 8-bit files hold sRGB values: each texel is decoded first, then filtered "
+    "bilinearly, without mip maps. The bottom row of the image has v = 0";
+
+struct MaterialWords {
+  const char* operator()(const scene::Lambert&) const {
+    return "Lambert's law on both sides: reflected radiance = reflectance / pi * irradiance";
+  }
+  const char* operator()(const scene::OrenNayar&) const {
+    return "Oren and Nayar's model of 1994 in its short form, on both sides; sigma = roughness * pi / 2 radians";
+  }
+  const char* operator()(const scene::Mirror&) const {
+    return "a perfect mirror on both sides: radiance of the mirrored direction times reflectance at all angles";
+  }
+  const char* operator()(const scene::Glass&) const {
+    return "a smooth boundary of glass by Fresnel's formulas for unpolarised light; ior is the index inside over "
+           "that outside, and the normals point outside. colour multiplies at every reflection and refraction. "
+           "Radiance is divided by the square of (index beyond / index on the viewer's side) when it is refracted";
+  }
+  const char* operator()(const scene::Ggx&) const {
+    return "microfacets on both sides: colour * D * G2 / (4 cos cos), D is GGX with this alpha, which is no square "
+           "root, G2 Smith's height-correlated masking (Heitz 2014, eq. 99); no Fresnel factor, one scattering";
+  }
+  const char* operator()(const scene::RoughGlass&) const {
+    return "a rough boundary of glass (Walter et al. 2007, eq. 20 and 21) with GGX of this alpha, which is no square "
+           "root; masking is height-correlated in reflection and separable in transmission. Else as smooth glass";
+  }
+  const char* operator()(const scene::Emission&) const {
+    return "emits radiance from both sides, also on other surfaces, and reflects nothing";
+  }
+  template <class Other>
+  const char* operator()(const Other&) const {
+    return "";  // material_limit refuses it
+  }
+};
+
+void write_camera(json::Writer& out, const scene::Camera& camera) {
+  out.key("camera").begin_object().member("in_words", kCameraWords);
+  out.member("position", camera.position_m).member("look_at", camera.look_at_m).member("up", camera.up);
+  out.member("fov_y_degrees", camera.fov_y_deg).member("width_px", camera.width_px);
+  out.member("height_px", camera.height_px).end_object();
+}
+
+void write_settings(json::Writer& out, const scene::Scene& scene) {
+  out.key("trace_depth");
+  if (scene.trace_depth >= scene::kUnlimitedDepth)
+    out.value("unlimited");
+  else
+    out.value(scene.trace_depth);
+  out.member("trace_depth_in_words", kTraceDepthWords);
+  out.key("background").begin_object();
+  out.member("in_words", "radiance of rays that meet no surface, in every direction; it lights the scene");
+  out.member("radiance", scene.environment).end_object();
+}
+
+void write_texture(json::Writer& out,
+                   const scene::Scene& scene,
+                   const scene::TextureUse& use,
+                   const std::string& stem) {
+  const auto& texture = texture_at(scene, use);
+  const auto word = [](scene::Wrap wrap) { return wrap == scene::Wrap::Clamp ? "clamp" : "repeat"; };
+  out.key("texture").begin_object().member("file", texture_file(scene, use.texture, stem));
+  out.member("wrap_u", word(texture.wrap_u)).member("wrap_v", word(texture.wrap_v));
+  out.member("in_words", kTextureWords).end_object();
+}
+
+void write_materials(json::Writer& out, const scene::Scene& scene, const std::string& stem) {
+  const auto names = material_names(scene);
+  out.key("materials").begin_array();
+  for (const int index : scene::visible_materials(scene)) {
+    const auto& model = material_at(scene, index).model;
+    out.begin_object().member("name", nth(names, index)).member("type", type_name(model));
+    out.member("in_words", std::visit(MaterialWords{}, model));
+    std::visit([&](const auto& m) { write(out, scene.spectra, m); }, model);
+    if (const auto& use = texture_of(model)) write_texture(out, scene, *use, stem);
+    out.end_object();
+  }
+  out.end_array();
+}
+
+void write_parts(json::Writer& out, const scene::Scene& scene, const std::vector<PartPlace>& parts) {
+  const auto names = material_names(scene);
+  out.key("surfaces").begin_array();
+  for (const auto& part : parts)
+    out.begin_object().member(part.key, part.name).member("material", nth(names, part.material)).end_object();
+  out.end_array();
+}
+
+void copy_files(const scene::Scene& scene, const std::string& stem, const std::filesystem::path& folder) {
+  std::set<int> textures;
+  for (const int index : scene::visible_materials(scene))
+    if (const auto& use = texture_of(material_at(scene, index).model)) textures.insert(use->texture);
+  for (const int index : textures)
+    write_file(folder / texture_file(scene, index, stem), read_file(nth(scene.textures, index).file));
+  for (std::size_t i = 0; i < scene.lights.size(); ++i)
+    if (const auto& ies = scene.lights[i].ies)
+      write_file(folder / profile_file(i, stem), read_file(ies->file));
+}
+
+}  // namespace
+
+void write_description(const scene::Scene& scene,
+                       const std::vector<PartPlace>& parts,
+                       const std::string& stem,
+                       const std::filesystem::path& folder) {
+  json::Writer out;
+  out.begin_object().member("format", "orbs-description/1").member("scene", scene.name);
+  out.member("in_words", kConventions);
+  write_camera(out, scene.camera);
+  write_settings(out, scene);
+  out.key("lamps").begin_array();
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) write_lamp(out, scene.lights[i], i, stem);
+  out.end_array();
+  write_materials(out, scene, stem);
+  write_parts(out, scene, parts);
+  write_file(folder / kDescriptionFile, out.end_object().text());
+  copy_files(scene, stem, folder);
+}
+
+}  // namespace orbs::adapters::obj
