@@ -15,15 +15,18 @@
 
 namespace orbs::peers {
 
-image::Image render_with_cycles(const scene::Scene& scene, const std::string& name, int spp) {
+image::Image render_with_cycles(const scene::Scene& scene,
+                                const std::string& name,
+                                int spp,
+                                const std::string& renderer_name) {
   const auto configuration = registry::load_configuration(ORBS_SOURCE_DIR "/configuration.json");
   const auto renderer = std::find_if(configuration.renderers.begin(), configuration.renderers.end(),
-                                     [](const auto& entry) { return entry.name == "cycles"; });
+                                     [&](const auto& entry) { return entry.name == renderer_name; });
   const auto program = adapters::find_program(renderer->command.executable);
   if (!program)
     throw std::runtime_error(
         "blender is not on PATH; the adapter is tested on the real program: install the package blender");
-  const auto folder = std::filesystem::path(ORBS_BINARY_DIR) / "cycles tests" / name;
+  const auto folder = std::filesystem::path(ORBS_BINARY_DIR) / (renderer_name + " tests") / name;
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   const auto prepared = adapters::prepare_scene(*renderer, scene);
@@ -36,7 +39,8 @@ image::Image render_with_cycles(const scene::Scene& scene, const std::string& na
   request.environment = adapters::child_environment(renderer->command.environment);
   const auto process = adapters::run_process(request);
   auto outcome = run::classify(process, job, request.limits);
-  if (!outcome.image) throw std::runtime_error(fmt::format("cycles {}:\n{}", outcome.reason, process.output));
+  if (!outcome.image)
+    throw std::runtime_error(fmt::format("{} {}:\n{}", renderer_name, outcome.reason, process.output));
   return std::move(*outcome.image);
 }
 

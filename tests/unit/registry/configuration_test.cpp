@@ -314,7 +314,8 @@ TEST(Configuration, TheOneOfTheRepositoryIsRight) {
   const auto configuration = load_configuration(ORBS_SOURCE_DIR "/configuration.json");
   std::vector<std::string> formats;
   for (const auto& renderer : configuration.renderers) formats.push_back(renderer.format.name);
-  EXPECT_EQ(formats, (std::vector<std::string>{"orbs-scene", "orbs-scene", "povray", "mitsuba", "pbrt"}));
+  EXPECT_EQ(formats,
+            (std::vector<std::string>{"orbs-scene", "orbs-scene", "povray", "mitsuba", "pbrt", "gltf"}));
 }
 
 TEST(Configuration, WhatIsOnlyWhenNamedIsNoneOfAllRenderers) {
