@@ -15,12 +15,10 @@ than 0.1 edges it is then sampled by area, which is exact. The scale stays above
 near the origin): lights that would need less are so large that 1e-4 sr do not matter.
 """
 
-import argparse
 import json
 import math
 import os
 import sys
-import time
 
 import bpy
 from mathutils import Matrix, Vector
@@ -30,11 +28,11 @@ import cycles_devices  # noqa: E402
 import cycles_ies  # noqa: E402
 import cycles_materials  # noqa: E402
 import cycles_meshes  # noqa: E402
+import cycles_render  # noqa: E402
 
 IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
 LARGEST_DOUBLED_EMITTER_AREA = 0.1
 SMALLEST_SCALE = 0.01
-MOST_BOUNCES = 1024  # Blender accepts no more.
 LIGHT_SHAPES = {
     "rect": (("half_width", "half_length"), cycles_meshes.rect_light),
     "disk": (("radius",), cycles_meshes.disk_light),
@@ -53,23 +51,19 @@ def main():
             scene = json.load(file)
         cycles_devices.choose_device(arguments.device)
         build(scene, os.path.dirname(os.path.abspath(arguments.scene)), arguments.scale)
-        set_integrator(checked(scene.get("integrator", {}), "integrator", [], ["trace_depth"]), arguments)
-        render(os.path.abspath(arguments.output))
+        integrator = checked(scene.get("integrator", {}), "integrator", [], ["trace_depth"])
+        cycles_render.set_integrator(integrator.get("trace_depth", 5), arguments)
+        cycles_render.render(os.path.abspath(arguments.output))
     except (OSError, ValueError, KeyError, TypeError, RuntimeError) as error:
         print(f"cycles.py: error: {arguments.scene}: {' '.join(str(error).split())}", file=sys.stderr, flush=True)
         sys.exit(2)
 
 
 def parse_arguments():
-    parser = argparse.ArgumentParser(prog="cycles.py")
-    parser.add_argument("--scene", required=True)
-    parser.add_argument("--output", required=True)
-    parser.add_argument("--spp", type=int, required=True)
-    parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--threads", type=int, default=1)
+    parser = cycles_render.argument_parser("cycles.py")
     parser.add_argument("--scale", default="auto")
     parser.add_argument("--device", choices=cycles_devices.KINDS, default="CPU")
-    return parser.parse_args(sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else [])
+    return cycles_render.parse_arguments(parser)
 
 
 def checked(entry, place, required, optional=()):
@@ -324,9 +318,7 @@ def add_object(name, data, matrix=None):
         # parent and its child is taken as it is.
         item.parent = world_frame()
         item.matrix_parent_inverse = matrix
-    # Cycles moves the start of grazing shadow rays off smooth surfaces by default (0.1), which changes the shadows.
-    item.cycles.shadow_terminator_geometry_offset = 0.0
-    item.cycles.shadow_terminator_offset = 0.0
+    cycles_render.keep_shadows(item)
     return item
 
 
@@ -334,61 +326,6 @@ def world_frame():
     """Returns the empty at the origin that is the parent of every placed object."""
     name = "orbs world frame"
     return bpy.data.objects.get(name) or add_object(name, None)
-
-
-# --- the renderer -------------------------------------------------------------------------------------------------------
-
-
-def set_integrator(integrator, arguments):
-    scene = bpy.context.scene
-    depth = integrator.get("trace_depth", 5)
-    if depth == "unlimited":
-        depth = MOST_BOUNCES + 1
-    if not isinstance(depth, int) or depth < 1:
-        raise SceneError(f"integrator: trace_depth must be a whole number of at least 1, is {depth}")
-    scene.render.engine = "CYCLES"
-    scene.render.threads_mode, scene.render.threads = "FIXED", arguments.threads
-    cycles = scene.cycles
-    settings = {
-        "samples": arguments.spp, "seed": arguments.seed,
-        "use_adaptive_sampling": False, "use_denoising": False, "time_limit": 0.0,  # exactly spp samples, unfiltered
-        "sample_clamp_direct": 0.0, "sample_clamp_indirect": 0.0,  # 0: no clamping
-        "blur_glossy": 0.0, "light_sampling_threshold": 0.0,  # both trade bias for noise when above 0
-        "caustics_reflective": True, "caustics_refractive": True,
-        "pixel_filter_type": "BOX", "film_exposure": 1.0, "use_fast_gi": False,
-        # A path of N scatterings with light sampling at each is what Cycles calls N - 1 bounces.
-        "max_bounces": depth - 1, "diffuse_bounces": depth - 1, "glossy_bounces": depth - 1,
-        "transmission_bounces": depth - 1, "transparent_max_bounces": depth - 1, "volume_bounces": 0,
-        "use_auto_tile": False,
-    }  # fmt: skip
-    for key, value in settings.items():
-        setattr(cycles, key, value)
-    cycles.min_light_bounces = min(cycles.min_light_bounces, depth)
-
-
-def render(output):
-    scene = bpy.context.scene
-    image = scene.render.image_settings
-    image.file_format, image.color_mode, image.color_depth, image.exr_codec = "OPEN_EXR", "RGB", "32", "ZIP"
-    scene.view_settings.view_transform, scene.view_settings.look = "Raw", "None"
-    scene.view_settings.exposure, scene.view_settings.gamma = 0.0, 1.0
-    scene.render.resolution_percentage = 100
-    scene.render.pixel_aspect_x = scene.render.pixel_aspect_y = 1.0
-    scene.render.film_transparent = False
-    scene.render.use_compositing = scene.render.use_sequencer = False
-    scene.render.dither_intensity = 0.0
-    for name in dir(scene.render):
-        if name.startswith("use_stamp"):
-            setattr(scene.render, name, False)  # no dates and durations in the file: same image, same bytes
-    start = time.perf_counter()
-    bpy.ops.render.render()
-    print(f"orbs: render_seconds {time.perf_counter() - start:.6f}", flush=True)
-    # save_render and not write_still, which takes a # in a path for the frame number.
-    temporary = f"{output}.{os.getpid()}.part"
-    bpy.data.images["Render Result"].save_render(temporary, scene=scene)
-    if not os.path.exists(temporary):
-        raise SceneError("Blender wrote no image")
-    os.replace(temporary, output)
 
 
 if __name__ == "__main__":

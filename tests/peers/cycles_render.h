@@ -7,8 +7,11 @@
 
 namespace orbs::peers {
 
-/// Lowers the scene, runs the renderer "cycles" of our configuration.json in a folder of its own, reads the
-/// image. std::runtime_error with a clear reason when Blender is not installed or gives no image.
-image::Image render_with_cycles(const scene::Scene& scene, const std::string& name, int spp);
+/// Lowers the scene, runs a renderer of our configuration.json that starts Blender in a folder of its own,
+/// reads the image. std::runtime_error with a clear reason when Blender is not installed or gives no image.
+image::Image render_with_cycles(const scene::Scene& scene,
+                                const std::string& name,
+                                int spp,
+                                const std::string& renderer = "cycles");
 
 }  // namespace orbs::peers
