@@ -9,7 +9,7 @@ install(DIRECTORY data adapters DESTINATION ${home} PATTERN "__pycache__" EXCLUD
 install(FILES configuration.json DESTINATION ${home})
 install(DIRECTORY include/orbs DESTINATION include)  # for plug-ins
 install(DIRECTORY plugins/saddle DESTINATION share/doc/orbs/plugins)  # how one is written
-install(DIRECTORY examples/minimal-renderer DESTINATION share/doc/orbs/examples)  # a renderer to copy
+install(DIRECTORY examples/minimal-renderer examples/embree-pathtracer DESTINATION share/doc/orbs/examples)  # a renderer to copy
 install(TARGETS saddle LIBRARY DESTINATION ${home}/plugins)
 install(FILES LICENSE DESTINATION share/doc/orbs RENAME copyright)
 install(FILES README.md CHANGELOG.md DESTINATION share/doc/orbs)
