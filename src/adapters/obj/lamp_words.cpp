@@ -59,7 +59,12 @@ void write_lamp(json::Writer& out, const scene::Light& light, std::size_t index,
   const LightFrame frame = light_frame(light.matrix);
   out.begin_object().member("name", light.name.empty() ? fmt::format("lamp {}", index) : light.name);
   std::visit(ShapeWords{out, frame}, light.shape);
-  out.member("radiance", light.radiance).key("matrix").numbers(light.matrix.m);
+  out.member("radiance", light.radiance);
+  out.member(
+      "matrix_in_words",
+      "it has placed, turned and scaled the shape of this width, length or radius, which lies about the origin, "
+      "flat in the plane y = 0 and shining towards -y; the radiance stays");
+  out.key("matrix").numbers(light.matrix.m);
   if (light.ies) {
     out.key("ies").begin_object().member("file", profile_file(index, stem));
     out.member("point_area", light.ies->point_area);
