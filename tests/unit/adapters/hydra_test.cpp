@@ -9,10 +9,12 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "image/image_io.h"
+#include "registry/configuration.h"
 #include "scene/geometry/generators.h"
 #include "scene/load/load_scene.h"
 #include "structure/source_files.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -77,6 +79,22 @@ TEST(HydraPaths, TheCommandNamesTheLayer) {
   EXPECT_EQ(adapters::make_job(renderer, scene, {}, "/o").argv.back(), "direct");
   renderer.format.settings = {{"naive", 1}};
   EXPECT_EQ(adapters::make_job(renderer, scene, {}, "/o").argv.back(), "color");
+}
+
+// It looks for meshes in the folder that stands before the last slash of its scene's path. Where images are
+// rendered elsewhere there is none: every mesh was left out, and the images were black.
+TEST(HydraCommand, NamesTheFolderOfTheMeshes) {
+  const auto configuration = registry::load_configuration(ORBS_SOURCE_DIR "/configuration.json");
+  int variants = 0;
+  for (const auto& renderer : configuration.renderers) {
+    if (renderer.format.name != "hydra") continue;
+    ++variants;
+    const auto argv = adapters::make_job(renderer, box_of(scene::Lambert{}), {}, "/o").argv;
+    const auto option = std::find(argv.begin(), argv.end(), "-scn_dir");
+    ASSERT_LT(option - argv.begin(), std::ssize(argv) - 1) << renderer.name;
+    EXPECT_EQ(option[1], "/o");
+  }
+  EXPECT_EQ(variants, 3);
 }
 
 TEST(HydraRemapLists, AreSortedClosedAndWrittenOnce) {
