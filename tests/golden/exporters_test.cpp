@@ -66,27 +66,10 @@ scene::Scene suite_scene(const std::string& name) {
   return scene::load_scene(fs::path(ORBS_SOURCE_DIR) / "data/cases/orbs" / (name + ".json"));
 }
 
-// Straight from the neutral scene, triangle by triangle.
 std::map<std::string, tests::Moments> moments_of(const scene::Scene& scene) {
   std::map<std::string, tests::Moments> out;
-  for (const scene::Instance& instance : scene.instances) {
-    const scene::Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-      const int material = scene::remapped(instance, mesh.triangle_materials[i]);
-      const auto& use = scene::texture_of(scene.materials[static_cast<std::size_t>(material)].model);
-      scene::Mesh one;
-      for (const auto corner : mesh.triangles[i]) {
-        one.positions.push_back(mesh.positions[corner]);
-        one.normals.push_back(mesh.normals[corner]);
-        const Vec2f uv = mesh.uvs[corner];
-        const Mat4 m = use ? use->matrix : Mat4{};
-        one.uvs.push_back({static_cast<float>(m(0, 0) * uv.x + m(0, 1) * uv.y + m(0, 3)),
-                           static_cast<float>(m(1, 0) * uv.x + m(1, 1) * uv.y + m(1, 3))});
-      }
-      one.triangles = {{0, 1, 2}};
-      tests::add_mesh(out[fmt::format("material{}", material)], one, instance.matrix, false);
-    }
-  }
+  for (const auto& [material, moments] : tests::moments_of_materials(scene))
+    out[fmt::format("material{}", material)] = moments;
   return out;
 }
 

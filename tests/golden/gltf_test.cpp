@@ -85,27 +85,11 @@ std::map<std::string, tests::Moments> moments_of(const tests::GltfFile& file) {
   return out;
 }
 
-// Straight from the scene, triangle by triangle.
 std::map<std::string, tests::Moments> moments_of(const scene::Scene& scene) {
+  constexpr Vec2f kUntextured{0, 1};  // which is (0, 0) from the top
   std::map<std::string, tests::Moments> out;
-  for (const scene::Instance& instance : scene.instances) {
-    const scene::Mesh& mesh = mesh_of(scene, instance);
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-      const auto& material = material_at(scene, scene::remapped(instance, mesh.triangle_materials[i]));
-      const auto& use = scene::texture_of(material.model);
-      scene::Mesh one;
-      for (const auto corner : mesh.triangles[i]) {
-        one.positions.push_back(mesh.positions[corner]);
-        one.normals.push_back(mesh.normals[corner]);
-        const Vec2f uv = use ? mesh.uvs[corner] : Vec2f{0, 1};  // which is (0, 0) from the top
-        const Mat4 m = use ? use->matrix : Mat4{};
-        one.uvs.push_back({static_cast<float>(m(0, 0) * uv.x + m(0, 1) * uv.y + m(0, 3)),
-                           static_cast<float>(m(1, 0) * uv.x + m(1, 1) * uv.y + m(1, 3))});
-      }
-      one.triangles = {{0, 1, 2}};
-      tests::add_mesh(out[material.name], one, instance.matrix, false);
-    }
-  }
+  for (const auto& [material, moments] : tests::moments_of_materials(scene, kUntextured))
+    out[material_at(scene, material).name] = moments;
   return out;
 }
 

@@ -55,4 +55,27 @@ void add_mesh(Moments& moments, const scene::Mesh& mesh, const Mat4& place, bool
   }
 }
 
+std::map<int, Moments> moments_of_materials(const scene::Scene& scene, std::optional<Vec2f> untextured_uv) {
+  std::map<int, Moments> out;
+  for (const scene::Instance& instance : scene.instances) {
+    const scene::Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      const int material = scene::remapped(instance, mesh.triangle_materials[i]);
+      const auto& use = scene::texture_of(scene.materials[static_cast<std::size_t>(material)].model);
+      scene::Mesh one;
+      for (const auto corner : mesh.triangles[i]) {
+        one.positions.push_back(mesh.positions[corner]);
+        one.normals.push_back(mesh.normals[corner]);
+        const Vec2f uv = use || !untextured_uv ? mesh.uvs[corner] : *untextured_uv;
+        const Mat4 m = use ? use->matrix : Mat4{};
+        one.uvs.push_back({static_cast<float>(m(0, 0) * uv.x + m(0, 1) * uv.y + m(0, 3)),
+                           static_cast<float>(m(1, 0) * uv.x + m(1, 1) * uv.y + m(1, 3))});
+      }
+      one.triangles = {{0, 1, 2}};
+      add_mesh(out[material], one, instance.matrix, false);
+    }
+  }
+  return out;
+}
+
 }  // namespace orbs::tests

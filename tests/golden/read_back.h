@@ -65,6 +65,11 @@ struct ReadScene {
 /// Adds a mesh as it stands at `place`. `v_from_top`: the format counts v from the top row.
 void add_mesh(Moments& moments, const scene::Mesh& mesh, const Mat4& place, bool v_from_top);
 
+/// Straight from a scene, triangle by triangle, by the index of the material. `untextured_uv`: the
+/// coordinates that a file has where no texture needs them; nothing: those of the mesh.
+std::map<int, Moments> moments_of_materials(const scene::Scene& scene,
+                                            std::optional<Vec2f> untextured_uv = std::nullopt);
+
 std::vector<Vec3d> directions_of_u(const scene::Mesh& mesh, const Mat4& place);
 
 /// All throw std::runtime_error for a text that is not well-formed or has a word they do not know.
