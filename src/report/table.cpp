@@ -154,24 +154,24 @@ std::string renderer_lines(const RunRecord& run, const TableStyle& style) {
 // What several targets of a renderer have in common.
 struct SharedVerdict {
   const results::TargetRecord* first;
+  std::string reason;
   std::vector<std::string> requirements;
   std::vector<std::string> targets;
 };
 
-// Takes the target in where all else is the same: a target that fails for several requirements is told once,
-// as are the targets of one requirement that fail for the same reason.
-bool take_in(SharedVerdict& shared, const results::TargetRecord& target) {
+void add_new(std::vector<std::string>& names, const std::string& name) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+// Takes the target in where all else that is shown is the same: a program that does not start, or one cause
+// of many failures, is told once.
+bool take_in(SharedVerdict& shared, const results::TargetRecord& target, const std::string& reason) {
   const auto& first = *shared.first;
   if (first.renderer != target.renderer || first.verdict != target.verdict ||
-      reason_text(first) != reason_text(target))
+      first.expectation != target.expectation || shared.reason != reason)
     return false;
-  if (shared.targets == std::vector{target.target}) {
-    shared.requirements.push_back(target.requirement);
-  } else if (shared.requirements == std::vector{target.requirement}) {
-    shared.targets.push_back(target.target);
-  } else {
-    return false;
-  }
+  add_new(shared.requirements, target.requirement);
+  add_new(shared.targets, target.target);
   return true;
 }
 
@@ -190,8 +190,11 @@ std::string verdict_lines(const RunRecord& run, const TableStyle& style) {
   for (const auto& target : run.targets) {
     const bool is_fine = passes(target.verdict) && target.expectation == Expectation::None;
     if (is_fine || target.verdict == Verdict::Skipped) continue;
-    if (std::none_of(told.begin(), told.end(), [&](auto& shared) { return take_in(shared, target); }))
-      told.push_back({&target, {target.requirement}, {target.target}});
+    const auto reason = style.whole_reasons
+                            ? reason_text(target)
+                            : line_reason(target.verdict, target.expectation, reason_text(target));
+    if (std::none_of(told.begin(), told.end(), [&](auto& shared) { return take_in(shared, target, reason); }))
+      told.push_back({&target, reason, {target.requirement}, {target.target}});
   }
   std::stable_partition(told.begin(), told.end(), [](const SharedVerdict& shared) {
     return shared.first->verdict != Verdict::Unsupported;
@@ -200,13 +203,10 @@ std::string verdict_lines(const RunRecord& run, const TableStyle& style) {
     return counts_as_failure(shared.first->verdict, shared.first->expectation);
   });
   PaintedRows table(style);
-  for (const auto& [first, requirements, targets] : told) {
+  for (const auto& [first, reason, requirements, targets] : told) {
     table.rows.emplace_back();
     table.add(std::string(state_name(*first)), first->verdict, first->expectation);
-    for (auto cell :
-         {first->renderer, fmt::format("{}", fmt::join(requirements, ", ")), names_text(targets, style),
-          style.whole_reasons ? reason_text(*first)
-                              : line_reason(first->verdict, first->expectation, reason_text(*first))})
+    for (auto cell : {first->renderer, names_text(requirements, style), names_text(targets, style), reason})
       table.rows.back().push_back(std::move(cell));
   }
   return table.text();
@@ -245,14 +245,11 @@ std::string typical_mistake(const RunRecord& run, const std::string& case_name) 
 std::string diagnosis_lines(const RunRecord& run, const TableStyle& style) {
   std::map<std::string, std::vector<std::string>> unknown;
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> of_case;
-  const auto add = [](std::vector<std::string>& targets, const std::string& target) {
-    if (std::find(targets.begin(), targets.end(), target) == targets.end()) targets.push_back(target);
-  };
   for (const auto& target : run.targets) {
     const bool is_known = target.expectation == Expectation::Known;
     if (target.diagnosis != results::kNoUsualFault || (is_known && !style.whole_reasons)) continue;
-    add(unknown[target.renderer], target.target);
-    add(of_case[{target.renderer, target.case_name}], target.target);
+    add_new(unknown[target.renderer], target.target);
+    add_new(of_case[{target.renderer, target.case_name}], target.target);
   }
   std::vector<TableRow> rows;
   for (const auto& [renderer, targets] : unknown) {

@@ -187,6 +187,10 @@ TEST(Table, OfAForeignRendererThatIsFarOffTheHintIsToProbe) {
   run.renderers[1].version = "";
   bad.verdict = Verdict::Pass;
   EXPECT_TRUE(is_silent());
+  bad.verdict = Verdict::Fail;
+  EXPECT_FALSE(is_silent());
+  bad.expectation = Expectation::Known;
+  EXPECT_TRUE(is_silent());
 }
 
 TEST(Table, ARemarkIsToldOnceForAllCasesOfTheImage) {
