@@ -10,6 +10,14 @@ import json
 import sys
 
 
+def worst_verdict(run, renderer, requirement):
+    """Of all images of a requirement, whatever is expected of them."""
+    verdicts = {target["verdict"] for target in run["targets"]
+                if target["renderer"] == renderer and target["requirement"] == requirement}
+    others = verdicts - {"pass", "pass with remarks", "unsupported", "inconclusive"}
+    return next((verdict for verdict in [*sorted(others), "inconclusive", "unsupported"] if verdict in verdicts), "pass")
+
+
 def rows_of(run):
     for renderer in run["renderers"]:
         for requirement in run["requirements"]:
@@ -18,8 +26,8 @@ def rows_of(run):
                 continue
             decibels = cell.get("lowest_psnr_db")
             yield [renderer["name"], renderer["version"], f'{renderer["cpu_seconds"]:.0f}', renderer["measured"],
-                   requirement["code"], requirement["title"], cell["verdict"],
-                   "" if decibels is None else f"{decibels:.1f}"]
+                   requirement["code"], requirement["title"],
+                   worst_verdict(run, renderer["name"], requirement["code"]), "" if decibels is None else f"{decibels:.1f}"]
 
 
 def main(files):
