@@ -74,7 +74,8 @@ function launch(chosen) {
     ...(process.getuid?.() === 0 ? ["--no-sandbox"] : []),
   ];
   const { chromium } = createRequire(import.meta.url)(folderOf("playwright-core"));
-  return chromium.launch({ executablePath, args });
+  // The harness has its own limit of time.
+  return chromium.launch({ executablePath, args, timeout: 0 });
 }
 
 /** The file that the page asks for: the scene, or one of the folder of the page. */
@@ -91,6 +92,7 @@ function answer(path, scene) {
 /** A page whose `render` can be called; `failed` is rejected with the first thing that goes wrong in it. */
 async function openedPage(browser, scene) {
   const page = await browser.newPage();
+  page.setDefaultTimeout(0);
   let fail;
   const failed = new Promise((_, reject) => (fail = (text) => reject(new Error(text))));
   failed.catch(() => {});
