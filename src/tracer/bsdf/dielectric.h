@@ -92,8 +92,7 @@ std::optional<BsdfSample<Value>> sample(const RoughDielectricBsdf<Value, N>& bsd
   out.radiance_scale = 1 / (eta * eta);
   out.weight = broadcast<Value>(one_minus(reflected)) *
                (facet_g2(bsdf.facets, wo, *wi) * out.radiance_scale / (g1 * (1 - probability)));
-  // As of RoughGlassBsdf.
-  if (const auto rounded = refracting_facet(wo, *wi, eta))
+  if (const auto rounded = facet_as_rounded(wo, *wi, m, eta))
     out.pdf = (1 - probability) * facet_pdf(bsdf.facets, wo, *rounded) *
               refraction_jacobian(dot(wo, *rounded), dot(*wi, *rounded), eta);
   return out;

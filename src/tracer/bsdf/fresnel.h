@@ -16,31 +16,34 @@ constexpr Real refraction_bend(Real cos_o, Real cos_t, Real eta) {
   return (1 - eta) * (1 + eta) / (eta * eta * (cos_o / eta + cos_t));
 }
 
-/// Direction of `wo` refracted at a microfacet m with dot(wo, m) > 0; nothing at total internal reflection.
-/// In double, so that only the result is rounded: next to eta = 1 all directions of the lobe lie within a few
-/// ulps of -wo.
-inline std::optional<Vec3f> refracted_at_facet(Vec3f wo, Vec3f m, float eta) {
-  const Vec3d o = normalised(cast<double>(wo));
-  const Vec3d n = normalised(cast<double>(m));
-  const double index = eta;
-  const double cos_o = dot(o, n);
-  const double sin2_t = (1 - cos_o * cos_o) / (index * index);
-  if (sin2_t >= 1) return std::nullopt;
-  return cast<float>(o * (-1 / index) + n * refraction_bend(cos_o, std::sqrt(1 - sin2_t), index));
+/// Next to an index of 1 what refracts one direction into the other follows from their difference, which is
+/// no longer than |eta - 1|: the rounding of floats to 6e-8 would turn it by as much as a lobe is wide.
+/// Farther off, floats know it to 1e-6.
+inline bool is_next_to_one(float eta) { return std::abs(eta - 1) < 0.1F; }
+
+/// See refracting_facet.
+template <typename Real>
+std::optional<Vec3f> refracting_facet_as_is(Vec3<Real> wo, Vec3<Real> wi, Real eta) {
+  const Vec3<Real> half = wo + wi * eta;
+  if (dot(half, half) == 0) return std::nullopt;
+  const Vec3<Real> m = normalised(half) * (half.z < 0 ? Real(-1) : Real(1));
+  if (dot(wo, m) <= 0 || dot(wi, m) > 0) return std::nullopt;  // back-facing
+  return cast<float>(m);
 }
 
-/// Normal of the microfacet that refracts wo to wi, on the side of wo; nothing if there is none. wo + eta wi
-/// is no longer than |eta - 1| next to eta = 1, where the rounding of floats to 6e-8 would turn it by as much
-/// as the lobe is wide; that their length is not exactly 1 would, too.
+/// Normal of the microfacet that refracts wo to wi, on the side of wo; nothing if there is none. That the
+/// length of floats' directions is not exactly 1 counts next to eta = 1, too.
 inline std::optional<Vec3f> refracting_facet(Vec3f wo, Vec3f wi, float eta) {
   if (eta == 1) return std::nullopt;  // whatever the facet, it bends nothing
-  const Vec3d o = normalised(cast<double>(wo));
-  const Vec3d i = normalised(cast<double>(wi));
-  const Vec3d half = o + i * static_cast<double>(eta);
-  if (dot(half, half) == 0) return std::nullopt;
-  const Vec3d m = normalised(half) * (half.z < 0 ? -1.0 : 1.0);
-  if (dot(o, m) <= 0 || dot(i, m) > 0) return std::nullopt;  // back-facing
-  return cast<float>(m);
+  if (!is_next_to_one(eta)) return refracting_facet_as_is(wo, wi, eta);
+  return refracting_facet_as_is<double>(normalised(cast<double>(wo)), normalised(cast<double>(wi)), eta);
+}
+
+/// The microfacet m that refracted wo to wi, as it follows from wi when that is rounded: next to eta = 1 that
+/// is another one than m, and the weights of MIS need one pdf for one direction. Without one, light sampling
+/// cannot find wi.
+inline std::optional<Vec3f> facet_as_rounded(Vec3f wo, Vec3f wi, Vec3f m, float eta) {
+  return is_next_to_one(eta) ? refracting_facet(wo, wi, eta) : m;
 }
 
 /// Normal of the microfacet that reflects or refracts wo to wi, on the side of wo; nothing if there is none.
@@ -78,6 +81,19 @@ inline std::optional<Vec3f> refracted(Vec3f wo, Vec3f m, float eta) {
   const float sin2_t = (1 - cos_o * cos_o) / (eta * eta);
   if (sin2_t >= 1) return std::nullopt;
   return wo * (-1 / eta) + m * (cos_o / eta - std::sqrt(1 - sin2_t));
+}
+
+/// The same at a microfacet. Next to eta = 1 all directions of the lobe lie within a few ulps of -wo, so that
+/// only the result is rounded there.
+inline std::optional<Vec3f> refracted_at_facet(Vec3f wo, Vec3f m, float eta) {
+  if (!is_next_to_one(eta)) return refracted(wo, m, eta);
+  const Vec3d o = normalised(cast<double>(wo));
+  const Vec3d n = normalised(cast<double>(m));
+  const double index = eta;
+  const double cos_o = dot(o, n);
+  const double sin2_t = (1 - cos_o * cos_o) / (index * index);
+  if (sin2_t >= 1) return std::nullopt;
+  return cast<float>(o * (-1 / index) + n * refraction_bend(cos_o, std::sqrt(1 - sin2_t), index));
 }
 
 }  // namespace orbs::tracer

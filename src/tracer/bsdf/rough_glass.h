@@ -65,9 +65,7 @@ std::optional<BsdfSample<Value>> sample(const RoughGlassBsdf<Value>& bsdf,
   out.is_transmitted = true;
   out.radiance_scale = 1 / (bsdf.eta * bsdf.eta);
   out.weight = bsdf.colour * (snippets::ggx_g1(*wi, bsdf.alpha) * out.radiance_scale);
-  // Of the microfacet that belongs to wi as it is rounded: next to eta = 1 that is another one than m, and
-  // the weights of MIS need one pdf for one direction. Without one, light sampling cannot find wi.
-  if (const auto rounded = refracting_facet(wo, *wi, bsdf.eta))
+  if (const auto rounded = facet_as_rounded(wo, *wi, m, bsdf.eta))
     out.pdf = (1 - fresnel) * snippets::ggx_visible_d(wo, *rounded, bsdf.alpha) *
               refraction_jacobian(dot(wo, *rounded), dot(*wi, *rounded), bsdf.eta);
   return out;

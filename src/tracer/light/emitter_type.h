@@ -60,7 +60,8 @@ inline float rounding_of(Vec3f a, Vec3f b, Vec3f c) {
   return 16 * 0x1p-24F * (largest_magnitude(a) + largest_magnitude(b) + largest_magnitude(c));
 }
 inline float rounding_of(Vec3d a, Vec3d b, Vec3d c) {
-  return rounding_of(cast<float>(a), cast<float>(b), cast<float>(c));
+  return 16 * 0x1p-24F *
+         static_cast<float>(largest_magnitude(a) + largest_magnitude(b) + largest_magnitude(c));
 }
 
 /// Pdf per solid angle of a point sampled uniformly by area.

@@ -27,9 +27,8 @@ Vec3d gradient_at(const SphereEmitter& sphere, Vec3d local) {
 }
 
 // A linear map A takes a cone of directions w with solid angle dw to one with |det A| / |A w|^3 dw, by the
-// volume and radius of the cone.
-float stretched_pdf(const SphereEmitter& sphere, Vec3d local_unit_direction, double local_pdf) {
-  const double stretch = length(to_world(sphere, local_unit_direction));
+// volume and radius of the cone. `stretch`: |A w|.
+float stretched_pdf(const SphereEmitter& sphere, double stretch, double local_pdf) {
   return static_cast<float>(local_pdf * stretch * stretch * stretch / sphere.determinant);
 }
 
@@ -84,9 +83,10 @@ std::optional<EmitterPoint> sample_towards(const SphereEmitter& sphere, Vec3f fr
   const double x = sin_alpha * static_cast<double>(std::cos(phi));
   const double y = sin_alpha * static_cast<double>(std::sin(phi));
   const Vec3d on_sphere = frame_around(view / distance).to_world({x, y, cos_alpha});
-  return EmitterPoint{cast<float>(sphere.centre + to_world(sphere, on_sphere)),
-                      cast<float>(normalised(gradient_at(sphere, on_sphere))),
-                      stretched_pdf(sphere, normalised(on_sphere - view), 1 / (kFullTurn * height)), error};
+  const Vec3d position = sphere.centre + to_world(sphere, on_sphere);
+  const double stretch = length(position - cast<double>(from)) / along_ray;
+  return EmitterPoint{cast<float>(position), normalised(cast<float>(gradient_at(sphere, on_sphere))),
+                      stretched_pdf(sphere, stretch, 1 / (kFullTurn * height)), error};
 }
 
 float pdf_towards(const SphereEmitter& sphere, Vec3f from, Vec3f position) {
@@ -94,8 +94,8 @@ float pdf_towards(const SphereEmitter& sphere, Vec3f from, Vec3f position) {
   const double distance2 = dot(view, view);
   if (distance2 <= 1) return 0;
   const Vec3d direction = cast<double>(position) - cast<double>(from);
-  return stretched_pdf(sphere, normalised(to_local(sphere, direction)),
-                       1 / (kFullTurn * cone_height(distance2)));
+  const double stretch = length(direction) / length(to_local(sphere, direction));
+  return stretched_pdf(sphere, stretch, 1 / (kFullTurn * cone_height(distance2)));
 }
 
 // Uniform on the unit sphere, then mapped to the ellipsoid.
