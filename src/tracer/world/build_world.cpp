@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/nth.h"
 #include "scene/camera_frame.h"
+#include "scene/geometry/extent.h"
 #include "scene/geometry/world_bounds.h"
 #include "scene/relations/geometry.h"
 #include "scene/relations/motion.h"
@@ -48,39 +49,7 @@ void add_materials(const scene::Scene& scene, const SceneColours& colours, World
         world.has_appearance_materials || is_appearance(nth(world.materials, index).model);
 }
 
-// What must be resolved: all that is drawn and the camera, or without it where it is far away.
-struct Extent {
-  Vec3d centre;  // the camera's position, or the middle of what is drawn for a distant camera
-  double radius_m = 0;
-  bool camera_is_distant = false;
-};
-
-Extent extent_of(const scene::Scene& scene) {
-  constexpr double kDistant = 16;  // radii: floats lose four bits by the distance
-  const Vec3d eye = scene.camera.position_m;
-  const auto drawn = scene::rough_bounds(scene);
-  if (!drawn) return {eye};
-  const double radius = radius_of(*drawn);
-  const Vec3d centre = (drawn->low + drawn->high) * 0.5;
-  if (radius > 0 && length(eye - centre) > kDistant * radius) return {centre, radius, true};
-  return {eye, radius_of(joined(*drawn, {eye, eye}))};
-}
-
-// Origin of the world's coordinates. At 10^7 m from their origin floats are 1 m apart, so the origin is
-// placed near the camera: at the scene's own, or a multiple of the step from there, which doubles subtract
-// exactly. A step of four to eight radii leaves the origin of a scene that contains it where it is, as the
-// camera is then within two radii of it, and no coordinate of a scene elsewhere is above six: its roundings
-// stay below 6 * 2^-24 of the radius. The step is 256 m at most, half of which floats resolve to 8e-6 m.
-Vec3d origin_near(const Extent& extent) {
-  constexpr double kMostStep_m = 256;
-  const double step = extent.radius_m > 0
-                          ? std::min(kMostStep_m, std::exp2(std::ceil(std::log2(4 * extent.radius_m))))
-                          : kMostStep_m;
-  const auto nearest = [&](double m) { return step * std::round(m / step); };
-  return {nearest(extent.centre.x), nearest(extent.centre.y), nearest(extent.centre.z)};
-}
-
-PinholeCamera prepare_camera(const scene::Camera& camera, const Extent& extent, Vec3d origin) {
+PinholeCamera prepare_camera(const scene::Camera& camera, const scene::Extent& extent, Vec3d origin) {
   const auto frame = scene::camera_frame(camera);
   const Vec3d position = camera.position_m - origin;
   const Vec3d right = frame.right * frame.half_width;
@@ -122,8 +91,8 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
   World world;
   world.transport = checked_transport(scene, settings);
   const SceneColours colours{scene, world.transport != scene::LightTransport::Rgb, world.spectra};
-  const Extent extent = extent_of(scene);
-  const Vec3d origin = origin_near(extent);
+  const scene::Extent extent = scene::extent_of(scene);
+  const Vec3d origin = scene::origin_near(extent);
   world.camera = prepare_camera(scene.camera, extent, origin);
   world.wants_stokes =
       scene.outputs.stokes && scene::covers(world.transport, scene::LightTransport::Polarised);
