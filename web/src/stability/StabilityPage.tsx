@@ -2,7 +2,8 @@ import { PairList } from "../common/PairList";
 import { useRequest } from "../common/request";
 import type { Source } from "../data/source";
 import { note, type Route } from "../route";
-import { cellText, magnitudeText, percentText, stepText } from "./texts";
+import { SweepChart } from "./SweepChart";
+import { capitalised, cellText, magnitudeText, percentText, stepText } from "./texts";
 import type { StabilityStep, StabilityStudy } from "../data/generated";
 
 interface Props {
@@ -20,7 +21,6 @@ function Matrix({ study, chosen }: { study: StabilityStudy; chosen: string }) {
     <table class="matrix">
       <thead>
         <tr>
-          <th scope="col">relation</th>
           <th scope="col">change</th>
           {study.renderers.map(({ name }) => (
             <th key={name} scope="col">
@@ -32,19 +32,24 @@ function Matrix({ study, chosen }: { study: StabilityStudy; chosen: string }) {
       <tbody>
         {study.relations.map((relation) => (
           <tr key={relation.name}>
-            <th scope="row">{relation.name}</th>
-            <td class="quiet">{relation.change}</td>
+            <th scope="row" title={relation.name}>
+              {relation.change}
+            </th>
             {study.renderers.map(({ name }) => {
               const cell = cellOf(relation.name, name);
               const key = `${relation.name}/${name}`;
               return (
                 <td key={name} class={cell?.first_break ? "broken" : undefined}>
-                  {cell && cell.scenes > 0 ? (
+                  {!cell ? (
+                    "not measured"
+                  ) : cell.scenes > 0 ? (
                     <button aria-pressed={key === chosen} onClick={() => note({ cell: key })}>
                       {cellText(cell, relation)}
                     </button>
                   ) : (
-                    "–"
+                    <span class="quiet" title={cell.why_not_applicable}>
+                      {cellText(cell, relation)}
+                    </span>
                   )}
                 </td>
               );
@@ -70,7 +75,11 @@ function Picture({
   const { value, problem } = useRequest(`${run} ${file}`, "", () => source.picture(run, file));
   return (
     <figure>
-      {value ? <img src={value} alt={label} /> : <div class="quiet">{problem ?? "Reading …"}</div>}
+      {value ? (
+        <img src={value} alt={label} />
+      ) : (
+        <div class="quiet">{problem ? `no image: ${problem}` : "Reading …"}</div>
+      )}
       <figcaption>{label}</figcaption>
     </figure>
   );
@@ -123,8 +132,9 @@ function Steps({ source, run, study, chosen }: Omit<Props, "route"> & { chosen: 
   return (
     <section class="cost-panel" aria-label="Steps">
       <h2>
-        {name} by {renderer}
+        {capitalised(relation.change)}: {renderer}
       </h2>
+      <SweepChart study={study} relation={relation} steps={steps} />
       <table class="steps">
         <thead>
           <tr>
@@ -187,6 +197,9 @@ export function StabilityPage({ source, run, study, route }: Props) {
     <>
       <section class="cost-panel" aria-label="How far each renderer follows">
         <h1>How far does each renderer follow?</h1>
+        {study.summaries.map((text) => (
+          <p key={text}>{text}</p>
+        ))}
         <Matrix study={study} chosen={chosen} />
       </section>
       <Steps source={source} run={run} study={study} chosen={chosen} />
