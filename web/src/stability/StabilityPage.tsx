@@ -3,7 +3,7 @@ import { useRequest } from "../common/request";
 import type { Source } from "../data/source";
 import { note, type Route } from "../route";
 import { SweepChart } from "./SweepChart";
-import { capitalised, cellText, magnitudeText, percentText, stepText } from "./texts";
+import { capitalised, cellText, hasImages, magnitudeText, percentText, stepText } from "./texts";
 import type { StabilityStep, StabilityStudy } from "../data/generated";
 
 interface Props {
@@ -159,10 +159,14 @@ function Steps({ source, run, study, chosen }: Omit<Props, "route"> & { chosen: 
               <td>{study.scenes[step.scene]?.name}</td>
               <td class="number">{magnitudeText(step.magnitude, relation.unit)}</td>
               <td>{stepText(step)}</td>
-              <td class="number">{percentText(step.mean, step.mean_error)}</td>
-              <td class="number">{percentText(step.block, step.block_error)}</td>
               <td class="number">
-                {step.pixels === undefined ? "–" : percentText(step.pixels, 0).replace("+", "")}
+                {hasImages(step) ? percentText(step.mean, step.mean_error) : ""}
+              </td>
+              <td class="number">
+                {hasImages(step) ? percentText(step.block, step.block_error) : ""}
+              </td>
+              <td class="number">
+                {hasImages(step) ? percentText(step.pixels, 0).replace("+", "") : ""}
               </td>
               <td class="quiet">{step.reason}</td>
             </tr>

@@ -116,7 +116,7 @@ function Sweep({ line, index, scales, excess }: SweepProps) {
             hollow={step.outcome === "inconclusive" ? theme.panel : undefined}
           />
           {step.outcome === "no image" ? (
-            <text x={x + 7} y={y + 4} font-size={11} fill={theme.text}>
+            <text x={x - 8} y={y + 4} font-size={11} fill={theme.text} text-anchor="end">
               no image
             </text>
           ) : null}

@@ -18,7 +18,9 @@ export function magnitudeText(magnitude: number, unit: string): string {
 export function cellText(cell: StabilityCell, relation: StabilityRelationRecord): string {
   if (cell.scenes === 0) return cell.not_applicable > 0 ? "not applicable" : "not measured";
   const all = cell.scenes + cell.not_applicable;
-  return resultText(cell, relation) + (cell.not_applicable > 0 ? ` (${cell.scenes} of ${all})` : "");
+  return (
+    resultText(cell, relation) + (cell.not_applicable > 0 ? ` (${cell.scenes} of ${all})` : "")
+  );
 }
 
 function resultText(cell: StabilityCell, relation: StabilityRelationRecord): string {
@@ -46,6 +48,7 @@ export function excessOf(step: StabilityStep, settings: StabilitySettings): numb
 
 /** A relative difference in per cent with its standard error. */
 export function percentText(value: number, error: number): string {
+  if (value === 0) return "0 %";
   const percent = 100 * value;
   const shown = Math.abs(percent) < 1e-3 ? percent.toExponential(0) : percent.toPrecision(2);
   return `${percent > 0 ? "+" : ""}${shown} %${error > 0 ? ` ± ${(100 * error).toPrecision(1)}` : ""}`;
@@ -56,3 +59,7 @@ export const stepText = (step: StabilityStep): string =>
   step.outcome === "holds" && step.is_bit_equal ? "equal to the bit" : step.outcome;
 
 export const capitalised = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
+/** Whether a step compared images. */
+export const hasImages = ({ outcome }: StabilityStep): boolean =>
+  outcome !== "no image" && outcome !== "not applicable";
