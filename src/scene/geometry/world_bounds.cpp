@@ -69,9 +69,18 @@ WorldBounds joined(const WorldBounds& a, const WorldBounds& b) {
 
 WorldBounds world_bounds(const Scene& scene, const Instance& instance) {
   std::optional<WorldBounds> bounds;
-  for (const Vec3f position : mesh_of(scene, instance).positions) {
-    const Vec3d p = transform_point(instance.matrix, cast<double>(position));
-    bounds = bounds ? joined(*bounds, {p, p}) : WorldBounds{p, p};
+  const auto add = [&](const std::vector<Vec3f>& positions, const Mat4& matrix) {
+    for (const Vec3f position : positions) {
+      const Vec3d p = transform_point(matrix, cast<double>(position));
+      bounds = bounds ? joined(*bounds, {p, p}) : WorldBounds{p, p};
+    }
+  };
+  // At any time a vertex is a mean, with weights that add up to 1, of the four combinations of start and end.
+  const auto& mesh = mesh_of(scene, instance);
+  for (const Mat4& matrix : {instance.matrix, instance.end_matrix.value_or(instance.matrix)}) {
+    add(mesh.positions, matrix);
+    if (mesh.end) add(mesh.end->positions, matrix);
+    if (!instance.end_matrix) break;
   }
   return bounds.value_or(WorldBounds{});
 }
@@ -110,7 +119,11 @@ std::vector<WorldBounds> rough_instance_bounds(const Scene& scene) {
   std::vector<WorldBounds> bounds;
   for (const auto& instance : scene.instances) {
     const auto& [low, high] = nth(of_meshes, instance.mesh);
-    bounds.push_back(around(instance.matrix * translation((low + high) * 0.5), (high - low) * 0.5));
+    const auto placed = [&](const Mat4& matrix) {
+      return around(matrix * translation((low + high) * 0.5), (high - low) * 0.5);
+    };
+    bounds.push_back(placed(instance.matrix));
+    if (instance.end_matrix) bounds.back() = joined(bounds.back(), placed(*instance.end_matrix));
   }
   return bounds;
 }
