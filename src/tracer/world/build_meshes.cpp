@@ -2,6 +2,7 @@
 
 #include "base/nth.h"
 #include "scene/geometry/world_bounds.h"
+#include "scene/motion.h"
 #include "tracer/geometry/transforms.h"
 #include "tracer/shapes/build_solids.h"
 
@@ -17,8 +18,14 @@ constexpr double kVast = 256;
 
 constexpr std::size_t kNotAdded = std::numeric_limits<std::size_t>::max();
 
+// A mesh that changes its shape is never moved by a matrix here.
 TriangleMesh copy_mesh(const scene::Mesh& mesh, const Mat4& matrix) {
   TriangleMesh out{mesh.positions, mesh.normals, mesh.uvs, mesh.triangles, mesh.triangle_materials, {}};
+  if (mesh.end) {  // moving_surface.h normalises what it has interpolated
+    out.end_positions = mesh.end->positions;
+    out.end_normals = mesh.end->normals;
+    return out;
+  }
   if (matrix == Mat4{}) {
     for (Vec3f& n : out.normals) n = normalised(n);
     return out;
@@ -62,7 +69,8 @@ void add_meshes(const scene::Scene& scene, Vec3d origin, std::size_t most_copied
     RenderObject object;
     for (int m = 0; m < static_cast<int>(scene.materials.size()); ++m)
       object.material_of.push_back(scene::remapped(instance, m));
-    if (copied <= most_copied_triangles || uses[index] == 1) {
+    const bool is_moving = scene::is_moving(scene, instance);
+    if (!is_moving && (copied <= most_copied_triangles || uses[index] == 1)) {
       object.mesh = world.meshes.size();
       world.meshes.push_back(copy_mesh(scene.meshes[index], matrix));
       world.meshes.back().is_vast = is_vast[i];
@@ -71,10 +79,13 @@ void add_meshes(const scene::Scene& scene, Vec3d origin, std::size_t most_copied
         shared[index] = world.meshes.size();
         world.meshes.push_back(copy_mesh(scene.meshes[index], Mat4{}));
       }
-      object.kind = ObjectKind::InstancedMesh;
+      object.kind = is_moving ? ObjectKind::MovingMesh : ObjectKind::InstancedMesh;
       object.mesh = shared[index];
       object.to_world = affine(matrix);
-      object.normal_to_world = normal_map(matrix);
+      if (is_moving)
+        object.end_to_world = affine(relative_to(instance.end_matrix.value_or(instance.matrix), origin));
+      else
+        object.normal_to_world = normal_map(matrix);
     }
     world.objects.push_back(std::move(object));
   }
