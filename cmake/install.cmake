@@ -5,7 +5,8 @@ set(home lib/orbs)
 install(TARGETS orbs orbs-tracer orbs-supervisor orbs_image_formats RUNTIME DESTINATION ${home} LIBRARY DESTINATION ${home})
 install(DIRECTORY ${PROJECT_BINARY_DIR}/web DESTINATION ${home} OPTIONAL
   PATTERN "CMakeFiles" EXCLUDE PATTERN "*.cmake" EXCLUDE)  # built by orbs-page alone
-install(DIRECTORY data adapters DESTINATION ${home} PATTERN "__pycache__" EXCLUDE)
+install(DIRECTORY data adapters DESTINATION ${home}
+  PATTERN "__pycache__" EXCLUDE PATTERN "node_modules" EXCLUDE)
 install(FILES configuration.json DESTINATION ${home})
 install(DIRECTORY include/orbs DESTINATION include)  # for plug-ins
 install(DIRECTORY plugins/saddle DESTINATION share/doc/orbs/plugins)  # how one is written

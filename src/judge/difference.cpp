@@ -5,6 +5,7 @@
 #include "image/false_colour.h"
 #include "image/image_io.h"
 #include "judge/provenance.h"
+#include "metrics/seeds.h"
 
 #include <algorithm>
 #include <functional>
@@ -27,10 +28,10 @@ bool have_same_samples(const image::Image& a, const image::Image& b) {
 }
 
 // What is missing in either of them is missing in their difference.
-void add_bad_samples(const image::Image& minus, image::Image& out) {
-  const auto more = minus.attributes.find("orbs.bad_samples");
+void add_counter(const char* attribute, const image::Image& minus, image::Image& out) {
+  const auto more = minus.attributes.find(attribute);
   if (more == minus.attributes.end()) return;
-  auto& text = out.attributes["orbs.bad_samples"];
+  auto& text = out.attributes[attribute];
   const auto of_out = to_integer(text.empty() ? "0" : text);
   const auto of_minus = to_integer(more->second);
   // What is no number stays for the check to complain of.
@@ -46,7 +47,7 @@ image::Image difference_of(const image::Image& of, const image::Image& minus) {
   if (has_variance) channels.insert(channels.end(), {"variance.R", "variance.G", "variance.B"});
   auto out = image::make_image(of.width, of.height, channels);
   out.attributes = of.attributes;
-  add_bad_samples(minus, out);
+  for (const char* attribute : metrics::kCounters) add_counter(attribute, minus, out);
   const auto put = [&](const std::string& prefix, std::size_t first, const auto& combine) {
     const auto a = image::select_rgb(of, prefix);
     const auto b = image::select_rgb(minus, prefix);

@@ -1,6 +1,7 @@
 #include "judge/gate.h"
 
 #include "base/error.h"
+#include "base/two_digits.h"
 #include "judge/noise.h"
 #include "judge/sequential.h"
 #include "metrics/describe.h"
@@ -50,7 +51,7 @@ std::optional<NoiseShare> noise_share(const metrics::ImagePair& pair, bool is_bi
 std::string samples_needed(double mse, double allowed_mse, const NoiseShare& noise) {
   const double stays = std::max(0.0, mse - noise.all) + noise.of_reference;
   if (allowed_mse <= stays) return "the reference is too noisy for this gate";
-  return fmt::format("needs about {:.2g} times the samples", (mse - stays) / (allowed_mse - stays));
+  return fmt::format("needs about {} times the samples", two_digits((mse - stays) / (allowed_mse - stays)));
 }
 
 // A PSNR below `least` fails where the error misses it that is left when the noise of both images is taken
@@ -82,8 +83,8 @@ GateResult undecided_interval(const std::string& is, const Measurement& measurem
     if (limit) distance = std::min(distance, std::fabs(value - *limit));
   if (distance == 0) return {Verdict::Inconclusive, is + ": it lies on the limit"};
   const double reach = measurement.high.value_or(value) - value;
-  return {Verdict::Inconclusive, fmt::format("{}: needs about {:.2g} times the samples, in the reference too",
-                                             is, reach * reach / (distance * distance))};
+  return {Verdict::Inconclusive, fmt::format("{}: needs about {} times the samples, in the reference too", is,
+                                             two_digits(reach * reach / (distance * distance)))};
 }
 
 Verdict verdict_of(Absence absence) {

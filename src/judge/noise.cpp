@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -103,6 +104,28 @@ std::optional<double> scatter_mse_srgb8(const metrics::ImagePair& pair,
   return sum / static_cast<double>(count);
 }
 
+namespace {
+
+// The brightest colour where all variances are too small for normal floats, and those of a noise that matters
+// would be, too: the square of a ten-thousandth of the colour. An image of one colour has no noise to state.
+std::optional<float> brightest_without_room(const image::Image& image) {
+  constexpr float kLeast = std::numeric_limits<float>::min();
+  constexpr double kShareThatMatters = 1e-4;
+  const auto colours = image::select_rgb(image, "");
+  const auto variances = image::select_rgb(image, "variance.");
+  if (std::any_of(variances.pixels.begin(), variances.pixels.end(), [](float v) { return v >= kLeast; }))
+    return std::nullopt;
+  float brightest = 0;  // by its magnitude: a difference of images has negative colours
+  for (const float value : colours.pixels) brightest = std::max(brightest, std::abs(value));
+  const double noise = kShareThatMatters * static_cast<double>(brightest);
+  if (noise * noise >= static_cast<double>(kLeast)) return std::nullopt;
+  for (std::size_t i = 3; i < colours.pixels.size(); ++i)
+    if (colours.pixels[i] != colours.pixels[i - 3]) return brightest;
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::string variance_problem(const image::Image& image) {
   const auto is_there = [&](const char* name) { return image::channel_index(image, name) >= 0; };
   const std::array<const char*, 3> names{"variance.R", "variance.G", "variance.B"};
@@ -116,6 +139,8 @@ std::string variance_problem(const image::Image& image) {
             !(value >= 0) || std::isinf(value))
           return fmt::format("{} is {} at pixel ({}, {})", name, value, x, y);
   }
+  if (const auto brightest = brightest_without_room(image))
+    return fmt::format("no colour exceeds {}, and floats hold no variances of so dim an image", *brightest);
   return "";
 }
 

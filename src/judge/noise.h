@@ -34,8 +34,9 @@ std::optional<double> noise_mse_srgb8(const image::Image& image, const image::Im
 std::optional<double> scatter_mse_srgb8(const metrics::ImagePair& pair,
                                         const std::vector<std::uint8_t>& chosen);
 
-/// Why the variances in an image cannot be true: a channel is missing beside the others, or a value is
-/// negative, infinite or NaN. "" when they can be, or there are none.
+/// Why the variances in an image cannot be true: a channel is missing beside the others, a value is negative,
+/// infinite or NaN, or the image is so dim that its variances are zero as floats, whatever its noise. "" when
+/// they can be, or there are none.
 std::string variance_problem(const image::Image& image);
 
 /// The image with all channels but its variances.

@@ -346,11 +346,12 @@ std::string describe(const PatternFinding& finding) {
   };
   constexpr std::array<Unit, 3> kUnits{{{"%", 100}, {"px", 1}, {"degrees", 180 / std::numbers::pi}}};
   const auto& [name, scale] = kUnits.at(static_cast<std::size_t>(finding.pattern->unit));
-  const double low = scale * std::fabs(finding.low);
-  const double high = scale * std::fabs(finding.high);
+  // Towards the side that is named; the interval can reach to the other one.
+  const double side = finding.amplitude > 0 ? scale : -scale;
+  const auto [low, high] = std::minmax({side * finding.low, side * finding.high});
   return fmt::format("{} by {:.3g} {} ({:.3g} to {:.3g})",
                      finding.amplitude > 0 ? finding.pattern->more : finding.pattern->less,
-                     scale * std::fabs(finding.amplitude), name, std::min(low, high), std::max(low, high));
+                     side * finding.amplitude, name, low, high);
 }
 
 }  // namespace orbs::metrics

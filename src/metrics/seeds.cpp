@@ -43,7 +43,9 @@ void check_seeds(const std::vector<image::Image>& colours) {
 
 std::map<std::string, std::string> with_sample_counts(std::map<std::string, std::string> attributes,
                                                       const std::vector<image::Image>& images) {
-  for (const char* name : {"orbs.spp", "orbs.bad_samples"}) {
+  std::vector<const char*> names(kCounters.begin(), kCounters.end());
+  names.push_back("orbs.spp");
+  for (const char* name : names) {
     long long sum = 0;
     bool is_known = true;
     for (const auto& image : images) {

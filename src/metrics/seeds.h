@@ -2,6 +2,7 @@
 
 #include "image/image.h"
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -15,7 +16,11 @@ bool are_equal(const std::vector<image::Image>& images);
 /// The mean of the images in R, G, B. At least one, all of one size, is the caller's promise.
 image::Image mean_of(const std::vector<image::Image>& images);
 
-/// The attributes with the counts of samples and of bad samples of all images together, where each states
+/// Attributes in which a render counts what it had to leave out: samples that were no finite number, searches
+/// for a root of a formula that reached their limit, and answers of plug-ins that broke the rules.
+inline constexpr std::array kCounters{"orbs.bad_samples", "orbs.unfinished_roots", "orbs.plugin_faults"};
+
+/// The attributes with the counts of samples and of kCounters of all images together, where each states
 /// them; those of one render are not those of their mean.
 std::map<std::string, std::string> with_sample_counts(std::map<std::string, std::string> attributes,
                                                       const std::vector<image::Image>& images);

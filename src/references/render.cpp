@@ -78,7 +78,12 @@ std::optional<RenderedReference> render_reference(const WantedReference& wanted,
     add_pass(rendered.sum, *image, pass);
     rendered.image = mean_image(rendered.sum);
     const auto mse = judge::noise_mse_srgb8(rendered.image, rendered.image);
-    if (!mse) throw InputError(fmt::format("{}: the tracer wrote no variance", context.tracer.string()));
+    if (!mse) {
+      const auto& header = image->attributes;
+      const auto reason = header.find("orbs.variance");
+      throw InputError(fmt::format("{}: the tracer wrote no variance{}", context.tracer.string(),
+                                   reason == header.end() ? "" : " (" + reason->second + ")"));
+    }
     rendered.noise_db = judge::psnr_srgb8_of(*mse);
     if (settings.spp == 0)
       target =

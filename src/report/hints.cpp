@@ -21,7 +21,8 @@ bool may_be_noise(const TargetRecord& target) {
 
 bool fails_by_far(const TargetRecord& target) {
   constexpr double kFar_db = 6;
-  if (target.verdict != results::Verdict::Fail || may_be_noise(target) || names_a_fault(target)) return false;
+  const bool is_explained = names_a_fault(target) || target.expectation == results::Expectation::Known;
+  if (target.verdict != results::Verdict::Fail || may_be_noise(target) || is_explained) return false;
   return std::any_of(target.checks.begin(), target.checks.end(), [&](const auto& check) {
     const auto measure = std::find_if(target.measures.begin(), target.measures.end(),
                                       [&](const auto& one) { return one.name == check.what; });

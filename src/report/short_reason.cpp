@@ -58,8 +58,12 @@ std::string line_reason(results::Verdict verdict,
                         results::Expectation expectation,
                         const std::string& reason) {
   using results::Verdict;
-  const bool is_by_numbers = verdict == Verdict::Fail || verdict == Verdict::Inconclusive;
-  return is_by_numbers && expectation != results::Expectation::News ? short_reason(reason) : reason;
+  if (verdict != Verdict::Fail && verdict != Verdict::Inconclusive) return reason;
+  if (expectation != results::Expectation::News) return short_reason(reason);
+  // What is news comes first, and names the entry to look at.
+  const auto news = reason.find("; ");
+  if (news == std::string::npos) return reason;
+  return reason.substr(0, news + 2) + short_reason(reason.substr(news + 2));
 }
 
 }  // namespace orbs::report

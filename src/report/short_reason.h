@@ -11,7 +11,7 @@ namespace orbs::report {
 std::string short_reason(const std::string& reason);
 
 /// What a line of the terminal says: the short reason of what numbers have decided, or left open. Why a
-/// render has no image, and news about known failures, are said whole.
+/// render has no image is said whole. Of news about a known failure, what is news is said whole.
 std::string line_reason(results::Verdict verdict,
                         results::Expectation expectation,
                         const std::string& reason);

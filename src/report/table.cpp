@@ -154,25 +154,34 @@ std::string renderer_lines(const RunRecord& run, const TableStyle& style) {
 // What several targets of a renderer have in common.
 struct SharedVerdict {
   const results::TargetRecord* first;
+  std::string reason;
   std::vector<std::string> requirements;
   std::vector<std::string> targets;
 };
 
-// Takes the target in where all else is the same: a target that fails for several requirements is told once,
-// as are the targets of one requirement that fail for the same reason.
-bool take_in(SharedVerdict& shared, const results::TargetRecord& target) {
+void add_new(std::vector<std::string>& names, const std::string& name) {
+  if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+}
+
+// Takes the target in where all else that is shown is the same: a program that does not start, or one cause
+// of many failures, is told once.
+bool take_in(SharedVerdict& shared, const results::TargetRecord& target, const std::string& reason) {
   const auto& first = *shared.first;
   if (first.renderer != target.renderer || first.verdict != target.verdict ||
-      reason_text(first) != reason_text(target))
+      first.expectation != target.expectation || shared.reason != reason)
     return false;
-  if (shared.targets == std::vector{target.target}) {
-    shared.requirements.push_back(target.requirement);
-  } else if (shared.requirements == std::vector{target.requirement}) {
-    shared.targets.push_back(target.target);
-  } else {
-    return false;
-  }
+  add_new(shared.requirements, target.requirement);
+  add_new(shared.targets, target.target);
   return true;
+}
+
+// Many names would make a column that pushes the next one out of sight.
+std::string names_text(const std::vector<std::string>& names, const TableStyle& style) {
+  constexpr std::size_t kMost = 4;
+  if (style.whole_reasons || names.size() <= kMost) return fmt::format("{}", fmt::join(names, ", "));
+  const auto shown = kMost - 1;
+  const std::vector first(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown));
+  return fmt::format("{} and {} more", fmt::join(first, ", "), names.size() - shown);
 }
 
 // Failures come before unsupported targets. Skipped targets are left out: their number stands below.
@@ -181,8 +190,11 @@ std::string verdict_lines(const RunRecord& run, const TableStyle& style) {
   for (const auto& target : run.targets) {
     const bool is_fine = passes(target.verdict) && target.expectation == Expectation::None;
     if (is_fine || target.verdict == Verdict::Skipped) continue;
-    if (std::none_of(told.begin(), told.end(), [&](auto& shared) { return take_in(shared, target); }))
-      told.push_back({&target, {target.requirement}, {target.target}});
+    const auto reason = style.whole_reasons
+                            ? reason_text(target)
+                            : line_reason(target.verdict, target.expectation, reason_text(target));
+    if (std::none_of(told.begin(), told.end(), [&](auto& shared) { return take_in(shared, target, reason); }))
+      told.push_back({&target, reason, {target.requirement}, {target.target}});
   }
   std::stable_partition(told.begin(), told.end(), [](const SharedVerdict& shared) {
     return shared.first->verdict != Verdict::Unsupported;
@@ -191,28 +203,33 @@ std::string verdict_lines(const RunRecord& run, const TableStyle& style) {
     return counts_as_failure(shared.first->verdict, shared.first->expectation);
   });
   PaintedRows table(style);
-  for (const auto& [first, requirements, targets] : told) {
+  for (const auto& [first, reason, requirements, targets] : told) {
     table.rows.emplace_back();
     table.add(std::string(state_name(*first)), first->verdict, first->expectation);
-    for (auto cell :
-         {first->renderer, fmt::format("{}", fmt::join(requirements, ", ")),
-          fmt::format("{}", fmt::join(targets, ", ")),
-          style.whole_reasons ? reason_text(*first)
-                              : line_reason(first->verdict, first->expectation, reason_text(*first))})
+    for (auto cell : {first->renderer, names_text(requirements, style), names_text(targets, style), reason})
       table.rows.back().push_back(std::move(cell));
   }
   return table.text();
 }
 
-// Remarks beside the verdicts. A target that several cases use is mentioned once.
+// Remarks beside the verdicts. A target that several cases use is mentioned once. What is said of a target
+// that does not pass explains what its own line says, and is left out unless all is asked for.
 std::string remark_lines(const RunRecord& run, const TableStyle& style) {
   std::set<std::pair<std::string, std::string>> told;
+  std::map<std::string, std::size_t> left_out;  // remarks by renderer
   std::vector<TableRow> rows;
   for (const auto& target : run.targets) {
     if (target.remarks.empty() || !told.emplace(target.renderer, target.target).second) continue;
+    if (!style.whole_reasons && !passes(target.verdict)) {
+      left_out[target.renderer] += target.remarks.size();
+      continue;
+    }
     for (const auto& remark : target.remarks)
       rows.push_back({"remark", target.renderer, target.requirement, target.target, remark});
   }
+  for (const auto& [renderer, count] : left_out)
+    rows.push_back(
+        {"remark", renderer, "", "", fmt::format("of targets that do not pass: {}, which -v prints", count)});
   return text_table(rows, {}, {style.width, {}});
 }
 
@@ -223,26 +240,24 @@ std::string typical_mistake(const RunRecord& run, const std::string& case_name) 
 }
 
 // A fault that is told apart leads the reason of its verdict. Of what is none of the usual faults, by
-// renderer: its targets, and which mistakes are typical of their cases.
+// renderer: its targets, and which mistakes are typical of their cases. A failure that is known has its cause
+// in its own line.
 std::string diagnosis_lines(const RunRecord& run, const TableStyle& style) {
   std::map<std::string, std::vector<std::string>> unknown;
   std::map<std::pair<std::string, std::string>, std::vector<std::string>> of_case;
-  const auto add = [](std::vector<std::string>& targets, const std::string& target) {
-    if (std::find(targets.begin(), targets.end(), target) == targets.end()) targets.push_back(target);
-  };
   for (const auto& target : run.targets) {
-    if (target.diagnosis != results::kNoUsualFault) continue;
-    add(unknown[target.renderer], target.target);
-    add(of_case[{target.renderer, target.case_name}], target.target);
+    const bool is_known = target.expectation == Expectation::Known;
+    if (target.diagnosis != results::kNoUsualFault || (is_known && !style.whole_reasons)) continue;
+    add_new(unknown[target.renderer], target.target);
+    add_new(of_case[{target.renderer, target.case_name}], target.target);
   }
   std::vector<TableRow> rows;
   for (const auto& [renderer, targets] : unknown) {
-    rows.push_back({"diagnosis", renderer, fmt::format("{}", fmt::join(targets, ", ")),
-                    std::string(results::kNoUsualFault)});
+    rows.push_back({"diagnosis", renderer, names_text(targets, style), std::string(results::kNoUsualFault)});
     for (const auto& [where, of_this] : of_case)
       if (const auto mistake = typical_mistake(run, where.second);
           where.first == renderer && !mistake.empty())
-        rows.push_back({"typical mistake", renderer, fmt::format("{}", fmt::join(of_this, ", ")), mistake});
+        rows.push_back({"typical mistake", renderer, names_text(of_this, style), mistake});
   }
   return text_table(rows, {}, {style.width, {}});
 }
@@ -256,7 +271,7 @@ std::string hidden_lines(const RunRecord& run, const TableStyle& style) {
   for (const auto& [renderer, names] : targets)
     rows.push_back({"noise", renderer,
                     fmt::format("hides errors of 2 % over 64 x 64 px or of 5 % over 16 x 16 px in {}",
-                                fmt::join(names, ", "))});
+                                names_text({names.begin(), names.end()}, style))});
   return text_table(rows, {}, {style.width, {}});
 }
 

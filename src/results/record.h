@@ -22,6 +22,8 @@ struct Cell {
   std::optional<double> lowest_psnr_db;  // infinite if all images equal their references
   std::string reason;                    // of the worst target
   Expectation expectation = Expectation::None;
+  // Without regard to what is expected: beside an unexpected pass, that of a failure that is known.
+  std::optional<Verdict> worst_verdict{};
 };
 
 template <class Visitor, json::RecordOf<Cell> Record>
@@ -31,6 +33,7 @@ void fields(Visitor& visit, Record& cell) {
   visit.maybe_infinite("lowest_psnr_db", cell.lowest_psnr_db);
   visit("reason", cell.reason);
   visit("expectation", cell.expectation);
+  visit("worst_verdict", cell.worst_verdict);
 }
 
 struct RequirementRecord {

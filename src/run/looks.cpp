@@ -2,6 +2,7 @@
 
 #include "base/duration.h"
 #include "base/files.h"
+#include "base/two_digits.h"
 #include "registry/placeholders.h"
 
 #include <algorithm>
@@ -81,8 +82,9 @@ End end_by_budget(const judge::Look& look, double seconds) {
   const double times = std::isfinite(look.need.samples) ? look.need.samples : look.need.at_best;
   if (!std::isfinite(times))
     return {"budget", "its noise; the budget ended before it could be told how much"};
-  return {"budget", fmt::format("its noise: about {:.2g} times the samples ({}) would decide it",
-                                std::max(2.0, times), duration_text(seconds * std::max(2.0, times)))};
+  return {"budget",
+          fmt::format("its noise: about {} times the samples ({}) would decide it",
+                      two_digits(std::max(2.0, times)), duration_text(seconds * std::max(2.0, times)))};
 }
 
 End end_after(const judge::Look& look, int looks, double seconds, double budget_seconds) {

@@ -15,6 +15,7 @@ using results::Verdict;
 
 void add_to_cell(const TargetRecord& target, bool is_first, Cell& cell) {
   cell.declared = target.declared;
+  cell.worst_verdict = results::worse(cell.worst_verdict.value_or(target.verdict), target.verdict);
   if (is_first || results::is_worse(target.verdict, target.expectation, cell.verdict, cell.expectation)) {
     cell.verdict = target.verdict;
     cell.expectation = target.expectation;
@@ -63,12 +64,15 @@ std::string measured_features(const std::vector<results::RequirementRecord>& req
   for (const auto& requirement : requirements) {
     const auto code = registry::parse_requirement(requirement.code);
     const auto cell = requirement.cells.find(renderer);
-    if (cell == requirement.cells.end() || !results::is_decided(cell->second.verdict)) {
+    const auto verdict = cell == requirement.cells.end()
+                             ? Verdict::Skipped
+                             : cell->second.worst_verdict.value_or(cell->second.verdict);
+    if (!results::is_decided(verdict)) {
       undecided[code.group].insert(code.level);
       continue;
     }
     auto& levels = measured[code.group];
-    if (passes(cell->second.verdict)) levels.insert(code.level);
+    if (passes(verdict)) levels.insert(code.level);
   }
   return registry::format_features(measured, undecided);
 }

@@ -9,6 +9,7 @@
 #include "tracer/integrator/make_bsdf.h"
 #include "tracer/integrator/timed_camera_ray.h"
 #include "tracer/render/render_clock.h"
+#include "tracer/sampling/warps.h"
 #include "tracer/transport/rgb_transport.h"
 
 #include <algorithm>
@@ -58,10 +59,11 @@ void try_light(Walk& walk,
                const SurfacePoint& point,
                const std::array<float, 4>& u,
                float time) {
-  const auto selected = world.light_bvh.select(at, u[0]);
+  const double pick = with_more_digits(u[0], u[3]);
+  const auto selected = world.light_bvh.select(at, pick);
   if (!selected) return;
   walk.trials.push_back({at, selected->emitter, 0});
-  const auto light = sample_light(world, at, u[0], u[1], u[2]);
+  const auto light = sample_light(world, at, pick, u[1], u[2]);
   if (!light) return;
   const Vec3f to_light = light->position - at.position;
   const float distance = length(to_light);

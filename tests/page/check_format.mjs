@@ -1,4 +1,4 @@
-// Checks that the sources of the page and of its tests are formatted as web/.prettierrc.json says:
+// Checks that the sources of the page, of its tests and of the adapter of the web are formatted as web/.prettierrc.json says:
 //   node check_format.mjs <source folder> [--write]
 // With --write they are formatted instead. web/package-lock.json pins the version of Prettier.
 import { spawnSync } from "node:child_process";
@@ -18,6 +18,9 @@ const files = [
   "!web/package-lock.json",
   "tests/page/*.{ts,mjs,json}",
   "tests/gltf/*.mjs",
+  "adapters/*.mjs",
+  "adapters/web/*.{mjs,html,json}",
+  "!adapters/web/package-lock.json",
 ];
 const mode = options.includes("--write") ? "--write" : "--check";
 const config = join(source, "web/.prettierrc.json");

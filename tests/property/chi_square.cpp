@@ -125,4 +125,35 @@ ChiSquare chi_square(const std::vector<Vec2d>& points,
   return out;
 }
 
+ChiSquare chi_square_of_counts(const std::vector<std::size_t>& counts,
+                               const std::vector<double>& probabilities,
+                               std::size_t trials) {
+  constexpr double kFewest = 20;
+  ChiSquare out;
+  double rest = static_cast<double>(trials);
+  double expected_rest = rest;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const double expected = probabilities[i] * static_cast<double>(trials);
+    const auto count = static_cast<double>(counts[i]);
+    out.integral += probabilities[i];
+    out.accepted += count / static_cast<double>(trials);
+    if (expected == 0 && count > 0) out.statistic = INFINITY;
+    if (expected < kFewest) continue;
+    out.statistic += (count - expected) * (count - expected) / expected;
+    ++out.degrees;
+    rest -= count;
+    expected_rest -= expected;
+  }
+  if (expected_rest > kFewest) {
+    out.statistic += (rest - expected_rest) * (rest - expected_rest) / expected_rest;
+  } else {
+    // What is too rare for the statistic has a bound of its own. By Poisson's law right code exceeds it with
+    // a probability below 1e-20.
+    if (rest > expected_rest + 3 * kFewest) out.statistic = INFINITY;
+    --out.degrees;
+  }
+  out.p_value = p_value_of(out.statistic, out.degrees);
+  return out;
+}
+
 }  // namespace orbs::tests

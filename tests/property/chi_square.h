@@ -39,4 +39,10 @@ ChiSquare chi_square(const std::vector<Vec2d>& points,
                      const Cell& domain,
                      const Density& density);
 
+/// The same of outcomes that can be told apart, such as picks from a list: how often each came of the trials.
+/// Those of which fewer than 20 are to be expected count as one.
+ChiSquare chi_square_of_counts(const std::vector<std::size_t>& counts,
+                               const std::vector<double>& probabilities,
+                               std::size_t trials);
+
 }  // namespace orbs::tests

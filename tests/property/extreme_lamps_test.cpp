@@ -1,5 +1,6 @@
 // Closed forms for lamps that are very near, very large or very small, cameras on surfaces, and paths that
 // nothing ends.
+#include "tracer/render/variance.h"
 #include "unit/tracer/scenes.h"
 
 #include <fmt/format.h>
@@ -72,6 +73,22 @@ TEST(ExtremeRadiances, HaveNoVariancesThatFloatsCannotHold) {
     EXPECT_FALSE(made.variance_leaves_floats) << radiance;
     EXPECT_GE(image::channel_index(made.image, "variance.R"), 0) << radiance;
   }
+}
+
+// Beside a bright pixel the variance of a dim one may be smaller than any float, and 0 would say that its
+// value is certain.
+TEST(ExtremeRadiances, DoNotHideThatDimPixelsHaveNoise) {
+  auto film = tracer::make_film(3, 1);
+  const std::vector<Vec3d> variances{{1, 1, 1}, {1e-50, 1e-50, 1e-50}, {}};
+  tracer::add_sample(film.pixels[0], {2, 2, 2});
+  tracer::add_sample(film.pixels[1], {1e-25, 1e-25, 1e-25});
+  tracer::add_sample(film.pixels[2], {1e-25, 1e-25, 1e-25});
+  for (std::size_t i = 0; i < 3; ++i) tracer::end_piece(film, i, 0);
+  ASSERT_TRUE(tracer::float_holds_variances(film, variances));
+  const auto image = tracer::resolve(film, variances);
+  EXPECT_EQ(image.at(0, 0, 3), 1);
+  EXPECT_EQ(image.at(1, 0, 3), std::numeric_limits<float>::denorm_min());
+  EXPECT_EQ(image.at(2, 0, 3), 0);
 }
 
 // A camera that lies on a floor and looks away from it sees the sky. The floor was hit at distance zero.

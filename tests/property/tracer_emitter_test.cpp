@@ -1,8 +1,10 @@
 // Light sampling: the pdf of a sample equals the pdf at its point, and the mean of 1 / pdf is the solid
 // angle.
 #include "property/hashed_numbers.h"
+#include "property/sampling_density.h"
 #include "tracer/light/emitter.h"
 #include "tracer/light/emitter_table.h"
+#include "tracer/sampling/warps.h"
 
 #include <gtest/gtest.h>
 
@@ -13,15 +15,17 @@ using namespace orbs::tracer;
 using tests::uniform;
 
 RectEmitter rect(Vec3f centre, Vec3f a, Vec3f b, bool orthogonal) {
-  return {centre, a, b, {0, -1, 0}, 4 * length(cross(a, b)), orthogonal};
+  return {cast<double>(centre), cast<double>(a),         cast<double>(b),
+          {0, -1, 0},           4 * length(cross(a, b)), orthogonal};
 }
 
 SphereEmitter ball(Vec3f centre, Vec3f radii) {
+  const Vec3d r = cast<double>(radii);
   SphereEmitter s;
-  s.centre = centre;
-  s.axes = {Vec3f{radii.x, 0, 0}, Vec3f{0, radii.y, 0}, Vec3f{0, 0, radii.z}};
-  s.inverse = {Vec3f{1 / radii.x, 0, 0}, Vec3f{0, 1 / radii.y, 0}, Vec3f{0, 0, 1 / radii.z}};
-  s.determinant = radii.x * radii.y * radii.z;
+  s.centre = cast<double>(centre);
+  s.axes = {Vec3d{r.x, 0, 0}, Vec3d{0, r.y, 0}, Vec3d{0, 0, r.z}};
+  s.inverse = {Vec3d{1 / r.x, 0, 0}, Vec3d{0, 1 / r.y, 0}, Vec3d{0, 0, 1 / r.z}};
+  s.determinant = r.x * r.y * r.z;
   return s;
 }
 
@@ -81,6 +85,47 @@ TEST(Emitter, ASpheroidHasTheSolidAngleOfItsTangentCone) {
   const double sin2 = 0.25 / (0.25 + 9 - 4);
   const double expected = 2 * std::numbers::pi * sin2 / (1 + std::sqrt(1 - sin2));
   EXPECT_NEAR(solid_angle(ball({0, 0, 0}, {0.5F, 2, 0.5F}), {0, 3, 0}), expected, 2e-3 * expected);
+}
+
+// Of 2^24 equal steps the first would be sixty times as wide as the share of the second emitter.
+TEST(EmitterTable, PicksWhatIsNextToImprobableNoMoreOftenThanItSays) {
+  EmitterTable table;
+  table.build({1, 1e-9F}, {}, 2);
+  const double share = table.probability(1);
+  constexpr double kItsSlot = 0.5;  // begins here and holds it first
+  EXPECT_EQ(table.pick(kItsSlot + 0.9 * share), 1U);
+  EXPECT_EQ(table.pick(kItsSlot + 1.1 * share), 0U);
+  EXPECT_EQ(with_more_digits(0.5F, 0.25F), 0.5 + 0x1p-26);
+  EXPECT_LT(with_more_digits(0x1.fffffep-1F, 1), 1);
+}
+
+// Few and many emitters, of like powers and of powers over six orders of magnitude.
+TEST(EmitterTable, PicksWithTheProbabilityThatItStates) {
+  for (const std::size_t size : {2U, 3U, 17U, 1000U})
+    for (const float orders : {0.0F, 1.0F, 6.0F}) {
+      std::vector<float> powers;
+      for (std::uint64_t i = 0; i < size; ++i) powers.push_back(std::pow(10.0F, orders * uniform(i, 20)));
+      EmitterTable table;
+      table.build(powers, {}, size);
+      std::vector<std::size_t> counts(size, 0);
+      for (std::uint64_t i = 0; i < 10 * tests::kTrials; ++i)
+        ++counts[table.pick(with_more_digits(uniform(i, 21), uniform(i, 22)))];
+      std::vector<double> probabilities;
+      for (std::size_t i = 0; i < size; ++i) probabilities.push_back(table.probability(i));
+      tests::expect_density(tests::chi_square_of_counts(counts, probabilities, 10 * tests::kTrials),
+                            std::to_string(size) + " emitters over " + std::to_string(orders) + " orders");
+    }
+}
+
+// The test itself can fail: one pick in fifty goes to the next emitter.
+TEST(EmitterTable, ChiSquareFindsWrongPicks) {
+  EmitterTable table;
+  table.build({1, 3, 2, 4}, {}, 4);
+  std::vector<std::size_t> counts(4, 0);
+  for (std::uint64_t i = 0; i < 10 * tests::kTrials; ++i)
+    ++counts[(table.pick(uniform(i, 21)) + (uniform(i, 22) < 0.02F ? 1 : 0)) % 4];
+  EXPECT_LT(tests::chi_square_of_counts(counts, {0.1, 0.3, 0.2, 0.4}, 10 * tests::kTrials).p_value,
+            tests::kDensityLevel);
 }
 
 TEST(EmitterTable, PicksInProportionToPower) {

@@ -1,7 +1,9 @@
 // The light BVH: what it selects, with which probability, and that no light is ever left out.
 #include "property/hashed_numbers.h"
+#include "property/sampling_density.h"
 #include "tracer/light/emitter.h"
 #include "tracer/light/light_bvh.h"
+#include "tracer/sampling/warps.h"
 
 #include <cmath>
 
@@ -39,14 +41,15 @@ Emitters many_emitters() {
     const Vec3f normal = direction(100 + i);
     const Vec3f a = normalised(cross(normal, direction(200 + i))) * 0.3F;
     const Vec3f b = cross(normal, a);
-    out.lights.push_back(light_of(RectEmitter{point_in_cube(300 + i, 2), a, b, normal, 0.36F, true}));
+    out.lights.push_back(light_of(RectEmitter{cast<double>(point_in_cube(300 + i, 2)), cast<double>(a),
+                                              cast<double>(b), cast<double>(normal), 0.36F, true}));
   }
   for (std::uint64_t i = 0; i < 3; ++i) {
     SphereEmitter ball;
-    ball.centre = point_in_cube(400 + i, 2);
-    ball.axes = {Vec3f{0.2F, 0, 0}, Vec3f{0, 0.2F, 0}, Vec3f{0, 0, 0.2F}};
-    ball.inverse = {Vec3f{5, 0, 0}, Vec3f{0, 5, 0}, Vec3f{0, 0, 5}};
-    ball.determinant = 0.008F;
+    ball.centre = cast<double>(point_in_cube(400 + i, 2));
+    ball.axes = {Vec3d{0.2, 0, 0}, Vec3d{0, 0.2, 0}, Vec3d{0, 0, 0.2}};
+    ball.inverse = {Vec3d{5, 0, 0}, Vec3d{0, 5, 0}, Vec3d{0, 0, 5}};
+    ball.determinant = 0.008;
     out.lights.push_back(light_of(ball));
   }
   for (std::uint64_t i = 0; i < 20; ++i) {
@@ -122,8 +125,8 @@ TEST(LightBvh, NeverLeavesOutAnEmitterThatShinesOnThePoint) {
 
 TEST(LightBvh, LeavesOutEmittersBehindThePointOrTurnedAway) {
   Emitters e;
-  const Vec3f a{0.1F, 0, 0};
-  const Vec3f b{0, 0, 0.1F};
+  const Vec3d a{0.1, 0, 0};
+  const Vec3d b{0, 0, 0.1};
   e.lights = {light_of(RectEmitter{{0, 2, 0}, a, b, {0, -1, 0}, 0.04F, true}),   // above, shines down
               light_of(RectEmitter{{0, 2, 0}, a, b, {0, 1, 0}, 0.04F, true}),    // above, shines up
               light_of(RectEmitter{{0, -2, 0}, a, b, {0, 1, 0}, 0.04F, true})};  // below, shines up
@@ -207,6 +210,24 @@ TEST(LearnedLightBvh, SelectsWithTheProbabilityThatItStatesAndLeavesOutNoEmitter
     }
     EXPECT_NEAR(sum, static_cast<double>(selections) / kSteps, 0.05) << "point " << i;
   }
+}
+
+// Where no emitter can shine on the point, none is selected: the rest of the probabilities.
+TEST(LearnedLightBvh, PicksWithTheProbabilityThatItStates) {
+  const Emitters e = many_emitters();
+  for (const LightBvh& bvh : {bvh_of(e), learned_bvh(e)})
+    for (std::uint64_t point = 0; point < 20; ++point) {
+      const Vec3f normal = point % 3 == 0 ? Vec3f{} : direction(5000 + point);
+      const LightSampleContext at{point_in_cube(point, 2.5F), normal};
+      std::vector<std::size_t> counts(e.powers.size(), 0);
+      for (std::uint64_t i = 0; i < tests::kTrials; ++i)
+        if (const auto selected = bvh.select(at, with_more_digits(uniform(i, 21), uniform(i, 22))))
+          ++counts[selected->emitter];
+      std::vector<double> probabilities;
+      for (std::size_t k = 0; k < e.powers.size(); ++k) probabilities.push_back(bvh.probability(at, k));
+      tests::expect_density(tests::chi_square_of_counts(counts, probabilities, tests::kTrials),
+                            "point " + std::to_string(point) + (bvh.has_learned() ? ", learned" : ""));
+    }
 }
 
 TEST(LearnedLightBvh, SelectsLessOftenWhatWasBlocked) {

@@ -18,11 +18,16 @@ namespace orbs::run {
 
 namespace {
 
-// CPU seconds of one sample per pixel of the scene's full size, by the names of renderer and scene.
-struct SecondsPerSample {
+// CPU seconds for the pixels of the scene's full size.
+struct RecordedSeconds {
+  double of_a_sample = 0;
+  double of_all = 0;  // the samples of the recorded run, which took as many as its verdicts needed
+};
+
+struct RecordedTimes {
   std::string suite;
   std::string size;
-  std::map<std::pair<std::string, std::string>, double> of_scenes;
+  std::map<std::pair<std::string, std::string>, RecordedSeconds> of_scenes;  // by renderer and scene
 };
 
 double full_pixels_for_one(const std::string& size) {
@@ -30,30 +35,30 @@ double full_pixels_for_one(const std::string& size) {
   return divisor * divisor;
 }
 
-SecondsPerSample read_times(const std::filesystem::path& file) {
+RecordedTimes read_times(const std::filesystem::path& file) {
   const auto document = json::parse_file(file);
   json::ObjectReader in(document);
   json::check_format(in, "orbs-render-times/1");
   in.text("machine");
-  SecondsPerSample times{in.text("suite"), in.text("size"), {}};
+  RecordedTimes times{in.text("suite"), in.text("size"), {}};
   const double scale = full_pixels_for_one(times.size);
   for (auto& render : in.objects("renders")) {
     auto name = std::pair{render.text("renderer"), render.text("scene")};
     const double seconds = render.number("cpu_seconds", json::kPositive);
     const int spp = render.integer("spp", 1, std::numeric_limits<int>::max());
     render.finish();
-    times.of_scenes.emplace(std::move(name), seconds / spp * scale);
+    times.of_scenes.emplace(std::move(name), RecordedSeconds{seconds / spp * scale, seconds * scale});
   }
   in.finish();
   return times;
 }
 
-// The middle of the times of one renderer, or of all where it has none.
-double typical_seconds(const SecondsPerSample& times, const std::string& renderer) {
+// The middle of the times of a sample of one renderer, or of all where it has none.
+double typical_seconds(const RecordedTimes& times, const std::string& renderer) {
   std::vector<double> seconds;
   for (const bool is_any : {false, true}) {
     for (const auto& [name, time] : times.of_scenes)
-      if (is_any || name.first == renderer) seconds.push_back(time);
+      if (is_any || name.first == renderer) seconds.push_back(time.of_a_sample);
     if (!seconds.empty()) break;
   }
   std::sort(seconds.begin(), seconds.end());
@@ -89,7 +94,9 @@ std::vector<std::optional<ShippedTime>> shipped_cpu_seconds(const Plan& plan) {
     const auto& renderer = plan.renderers[planned.renderer].entry.name;
     const auto found = times.of_scenes.find({renderer, scene.name});
     if (times.suite == plan.suite.name && found != times.of_scenes.end()) {
-      seconds[job] = {found->second * planned.spp / full_pixels_for_one(size), size != times.size};
+      const auto& recorded = found->second;
+      const double all = planned.first_spp > 0 ? recorded.of_all : recorded.of_a_sample * planned.spp;
+      seconds[job] = {all / full_pixels_for_one(size), size != times.size};
     } else {
       seconds[job] = {
           typical_seconds(times, renderer) * planned.spp * pixels_of(scene, size) / kTypicalPixels, true};

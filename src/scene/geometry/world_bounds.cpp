@@ -87,15 +87,29 @@ WorldBounds world_bounds(const Scene& scene, const Instance& instance) {
 
 namespace {
 
+WorldBounds bounds_of(const Sphere& sphere) {
+  const Vec3d extent{sphere.radius_m, sphere.radius_m, sphere.radius_m};
+  return {sphere.centre_m - extent, sphere.centre_m + extent};
+}
+
+WorldBounds bounds_of(const Light& light) { return around(light.matrix, half_size(light.shape)); }
+
+// Nothing of a half-space.
+std::optional<WorldBounds> bounds_of(const Shape& shape) {
+  std::optional<WorldBounds> bounds;
+  for (const Vec3d corner : bounding_corners(shape)) {
+    const WorldBounds one{corner, corner};
+    bounds = bounds ? joined(*bounds, one) : one;
+  }
+  return bounds;
+}
+
 std::optional<WorldBounds> with_shapes_and_lights(const Scene& scene, std::optional<WorldBounds> bounds) {
   const auto add = [&](const WorldBounds& one) { bounds = bounds ? joined(*bounds, one) : one; };
-  for (const auto& sphere : scene.spheres) {
-    const Vec3d extent{sphere.radius_m, sphere.radius_m, sphere.radius_m};
-    add({sphere.centre_m - extent, sphere.centre_m + extent});
-  }
+  for (const auto& sphere : scene.spheres) add(bounds_of(sphere));
   for (const auto& shape : scene.shapes)
-    for (const Vec3d corner : bounding_corners(shape)) add({corner, corner});
-  for (const auto& light : scene.lights) add(around(light.matrix, half_size(light.shape)));
+    if (const auto one = bounds_of(shape)) add(*one);
+  for (const auto& light : scene.lights) add(bounds_of(light));
   return bounds;
 }
 
@@ -136,14 +150,17 @@ std::optional<WorldBounds> rough_bounds(const Scene& scene) {
   return with_shapes_and_lights(scene, bounds);
 }
 
-std::vector<bool> vast_instances(const Scene& scene, double ratio) {
-  const auto bounds = rough_instance_bounds(scene);
+VastObjects vast_objects(const Scene& scene, double ratio) {
+  auto bounds = rough_instance_bounds(scene);
+  for (const auto& light : scene.lights) bounds.push_back(bounds_of(light));
+  for (const auto& sphere : scene.spheres) bounds.push_back(bounds_of(sphere));
+  for (const auto& shape : scene.shapes)
+    if (const auto one = bounds_of(shape)) bounds.push_back(*one);
   std::vector<std::size_t> by_size(bounds.size());
   std::iota(by_size.begin(), by_size.end(), std::size_t{0});
   std::stable_sort(by_size.begin(), by_size.end(),
                    [&](std::size_t a, std::size_t b) { return radius_of(bounds[a]) < radius_of(bounds[b]); });
-  const Vec3d eye = scene.camera.position_m;
-  auto smaller = *with_shapes_and_lights(scene, WorldBounds{eye, eye});
+  WorldBounds smaller{scene.camera.position_m, scene.camera.position_m};
   std::vector<bool> is_vast(bounds.size(), false);
   bool all_that_follow = false;
   for (const std::size_t i : by_size) {
@@ -152,7 +169,8 @@ std::vector<bool> vast_instances(const Scene& scene, double ratio) {
     is_vast[i] = all_that_follow;
     if (!all_that_follow) smaller = joined(smaller, bounds[i]);
   }
-  return is_vast;
+  const auto lights = is_vast.begin() + static_cast<std::ptrdiff_t>(scene.instances.size());
+  return {{is_vast.begin(), lights}, {lights, lights + static_cast<std::ptrdiff_t>(scene.lights.size())}};
 }
 
 }  // namespace orbs::scene

@@ -40,8 +40,12 @@ std::optional<WorldBounds> world_bounds(const Scene& scene);
 /// axes. Its time does not grow with the product of instances and vertices.
 std::optional<WorldBounds> rough_bounds(const Scene& scene);
 
-/// For each instance, whether it is more than `ratio` times as large as all that is smaller, the camera
-/// included: the ground or the walls around a small scene.
-std::vector<bool> vast_instances(const Scene& scene, double ratio);
+/// For each instance and each light, whether it is more than `ratio` times as large as all that is smaller,
+/// the camera included: the ground, the walls or the sky around a small scene.
+struct VastObjects {
+  std::vector<bool> instances;
+  std::vector<bool> lights;
+};
+VastObjects vast_objects(const Scene& scene, double ratio);
 
 }  // namespace orbs::scene

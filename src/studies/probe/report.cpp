@@ -1,6 +1,7 @@
 #include "studies/probe/report.h"
 
 #include "base/nth.h"
+#include "base/two_digits.h"
 #include "json/writer.h"
 
 #include <fmt/format.h>
@@ -33,8 +34,8 @@ std::string differs(const char* what, const ProbeRecord& record, const ProbeFind
 
 std::string undecided(const ProbeImage& image) {
   return image.findings.needed_samples
-             ? fmt::format("noise hides what is compared: needs about {:.2g} times the samples (--spp)",
-                           *image.findings.needed_samples)
+             ? fmt::format("noise hides what is compared: needs about {} times the samples (--spp)",
+                           two_digits(*image.findings.needed_samples))
              : "";
 }
 

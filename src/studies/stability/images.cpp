@@ -72,17 +72,19 @@ std::optional<std::vector<image::Image>> StabilityImages::render(const scene::Sc
     if (!made) return std::nullopt;
     return image::select_rgb(made->image, "");
   };
-  // Far from each other, so that a renderer may count passes on from a seed.
-  constexpr int kOther = 1000;
+  // Far from each other, so that a renderer may count passes on from a seed. Of a sequence, the images before
+  // a seed are rendered, too, so the next ones are taken: those that are not among the original's samples.
+  const bool has_sequence = !renderer_.entry.command.sequence.words.empty();
+  const int other_seed = has_sequence ? 2 * settings_.seeds : 1000;
   const bool is_noise_free = renderer_.entry.sampling.is_noise_free;
   std::vector<image::Image> images;
   for (int seed = 1; seed <= (is_noise_free ? 1 : settings_.seeds); ++seed) {
     const bool is_halved = change == RenderChange::TwoHalves;
     const bool is_other = is_halved || change == RenderChange::Seed;
-    auto image = one(is_halved ? settings_.spp / 2 : settings_.spp, is_other ? kOther + seed : seed);
+    auto image = one(is_halved ? settings_.spp / 2 : settings_.spp, is_other ? other_seed + seed : seed);
     if (!image) return std::nullopt;
     if (is_halved) {
-      const auto second = one(settings_.spp / 2, 2 * kOther + seed);
+      const auto second = one(settings_.spp / 2, 2 * other_seed + seed);
       if (!second) return std::nullopt;
       image = mean_of(*image, *second);
     }

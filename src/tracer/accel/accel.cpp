@@ -27,8 +27,7 @@ constexpr std::array<std::array<std::uint32_t, 3>, 2> kQuadTriangles{{{0, 1, 2},
 std::vector<DoubleTriangle> triangles_of(const Quad& quad) {
   const auto& corners = quad.corners;
   std::vector<DoubleTriangle> triangles;
-  for (const auto& [a, b, c] : kQuadTriangles)
-    triangles.push_back({cast<double>(corners[a]), cast<double>(corners[b]), cast<double>(corners[c])});
+  for (const auto& [a, b, c] : kQuadTriangles) triangles.push_back({corners[a], corners[b], corners[c]});
   return triangles;
 }
 
@@ -94,12 +93,13 @@ struct Accel::State {
     attach(scene, geometry, id);
   }
 
-  void add_surface(const Quad& quad, unsigned int id) {
-    if (is_double) return add_double(triangles_of(quad), id);
+  void add_light(const Quad& quad, bool is_vast, unsigned int id) {
+    if (is_double || is_vast) return add_double(triangles_of(quad), id);
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* vertices = static_cast<Vec3f*>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), 4));
-    std::copy(quad.corners.begin(), quad.corners.end(), vertices);
+    std::transform(quad.corners.begin(), quad.corners.end(), vertices,
+                   [](Vec3d p) { return cast<float>(p); });
     auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), 2));
     for (const auto& triangle : kQuadTriangles)
@@ -122,6 +122,12 @@ struct Accel::State {
     const auto kept = std::make_shared<const Surface>(std::move(surface));
     surfaces.push_back(kept);
     attach(top, make_user_geometry(device, std::span<const Surface>(kept.get(), 1)), id);
+  }
+
+  // Rays meet curved surfaces in double, whatever their size.
+  template <typename Surface>
+  void add_light(Surface surface, bool, unsigned int id) {
+    add_surface(std::move(surface), id);
   }
 
   static void set_transform(RTCGeometry geometry, unsigned int time_step, const Affine& to_world) {
@@ -160,7 +166,7 @@ Accel::Accel(const AccelGeometry& geometry, Intersection intersection)
       const TriangleMesh& mesh = geometry.meshes[object.mesh];
       if (state_->is_double && is_moving)
         state_->add_moving_double(moving_triangles(object, mesh), id);
-      else if (state_->is_double)
+      else if (state_->is_double || !mesh.exact_positions.empty())
         state_->add_double(world_triangles(object, mesh), id);
       else if (is_instance)
         state_->add_instance(object, mesh, id);
@@ -178,9 +184,11 @@ Accel::Accel(const AccelGeometry& geometry, Intersection intersection)
                     make_user_geometry(state_->device, std::span<const PluginShape>(
                                                            &geometry.plugin_shapes[object.plugin_shape], 1)),
                     id);
-    if (object.kind == ObjectKind::Light)
-      std::visit([&](const auto& emitter) { state_->add_surface(surface_of(emitter), id); },
-                 geometry.lights[object.light].shape);
+    if (object.kind == ObjectKind::Light) {
+      const AreaLight& light = geometry.lights[object.light];
+      std::visit([&](const auto& emitter) { state_->add_light(surface_of(emitter), light.is_vast, id); },
+                 light.shape);
+    }
   }
   rtcCommitScene(state_->top);
 }

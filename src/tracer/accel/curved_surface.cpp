@@ -50,7 +50,7 @@ std::array<Vec3d, 3> inverse_rows(Vec3d a, Vec3d b, Vec3d c) {
 
 CurvedSurface surface_of(const SphereSurface& sphere) {
   const double r = sphere.radius;
-  return {cast<double>(sphere.centre), inverse_rows({r, 0, 0}, {0, r, 0}, {0, 0, r}), true};
+  return {sphere.centre, inverse_rows({r, 0, 0}, {0, r, 0}, {0, 0, r}), true};
 }
 
 // The columns of the map are dual to the rows of its inverse. The image of the unit ball extends along a
@@ -69,6 +69,7 @@ std::optional<Hit> hit_of(const CurvedSurface& surface, unsigned int index, cons
   if (!distance) return std::nullopt;
   Hit hit;
   hit.distance = static_cast<float>(*distance);
+  hit.barycentric = {static_cast<float>(*distance - static_cast<double>(hit.distance)), 0};
   hit.primitive = index;
   return hit;
 }

@@ -20,7 +20,8 @@ std::array<Vec3d, 3> inverse_rows(Vec3d a, Vec3d b, Vec3d c);
 
 CurvedSurface surface_of(const SphereSurface& sphere);
 
-/// For make_user_geometry; hits have no barycentric coordinates.
+/// For make_user_geometry. barycentric.x of a hit is what float leaves of the distance, so that both together
+/// are the double.
 UserBounds bounds_of(const CurvedSurface& surface);
 std::optional<Hit> hit_of(const CurvedSurface& surface, unsigned int index, const UserRay& ray);
 

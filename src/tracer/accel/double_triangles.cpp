@@ -66,7 +66,8 @@ std::vector<DoubleTriangle> world_triangles(const RenderObject& object, const Tr
     const bool is_degenerate = mesh.triangle_cache[i].geometric_normal == Vec3f{};
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const auto vertex = mesh.triangles[i][is_degenerate ? 0 : corner];
-      const Vec3d position = cast<double>(mesh.positions[vertex]);
+      const Vec3d position =
+          mesh.exact_positions.empty() ? cast<double>(mesh.positions[vertex]) : mesh.exact_positions[vertex];
       triangle.corners[corner] =
           object.kind == ObjectKind::InstancedMesh ? to_world(object.to_world, position) : position;
     }

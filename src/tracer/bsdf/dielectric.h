@@ -75,25 +75,26 @@ std::optional<BsdfSample<Value>> sample(const RoughDielectricBsdf<Value, N>& bsd
   if (cos_o <= 0) return std::nullopt;
   const auto reflected = reflectances(bsdf.boundary, cos_o);
   const float probability = mean_of(reflected);
-  const float visible = facet_pdf(bsdf.facets, wo, m);
   const float g1 = snippets::smith_g1(facet_lambda(bsdf.facets, wo));
   BsdfSample<Value> out;
   if (u[2] < probability) {
     out.wi = m * (2 * cos_o) - wo;
     if (out.wi.z <= 0) return std::nullopt;
     out.weight = broadcast<Value>(reflected) * (facet_g2(bsdf.facets, wo, out.wi) / (g1 * probability));
-    out.pdf = probability * visible / (4 * cos_o);
+    out.pdf = probability * facet_pdf(bsdf.facets, wo, m) / (4 * cos_o);
     return out;
   }
   const float eta = bsdf.boundary.index[0].real();
-  const auto wi = refracted(wo, m, eta);
+  const auto wi = refracted_at_facet(wo, m, eta);
   if (!wi || wi->z >= 0) return std::nullopt;
   out.wi = *wi;
   out.is_transmitted = true;
   out.radiance_scale = 1 / (eta * eta);
   out.weight = broadcast<Value>(one_minus(reflected)) *
                (facet_g2(bsdf.facets, wo, *wi) * out.radiance_scale / (g1 * (1 - probability)));
-  out.pdf = (1 - probability) * visible * refraction_jacobian(cos_o, dot(*wi, m), eta);
+  if (const auto rounded = facet_as_rounded(wo, *wi, m, eta))
+    out.pdf = (1 - probability) * facet_pdf(bsdf.facets, wo, *rounded) *
+              refraction_jacobian(dot(wo, *rounded), dot(*wi, *rounded), eta);
   return out;
 }
 

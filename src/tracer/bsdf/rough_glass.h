@@ -51,22 +51,23 @@ std::optional<BsdfSample<Value>> sample(const RoughGlassBsdf<Value>& bsdf,
   const float cos_o = dot(wo, m);
   if (cos_o <= 0) return std::nullopt;
   const float fresnel = fresnel_dielectric(cos_o, bsdf.eta);
-  const float visible = snippets::ggx_visible_d(wo, m, bsdf.alpha);
   BsdfSample<Value> out;
   if (u[2] < fresnel) {
     out.wi = m * (2 * cos_o) - wo;
     if (out.wi.z <= 0) return std::nullopt;
     out.weight = bsdf.colour * (ggx_g2(wo, out.wi, bsdf.alpha) / snippets::ggx_g1(wo, bsdf.alpha));
-    out.pdf = fresnel * visible / (4 * cos_o);
+    out.pdf = fresnel * snippets::ggx_visible_d(wo, m, bsdf.alpha) / (4 * cos_o);
     return out;
   }
-  const auto wi = refracted(wo, m, bsdf.eta);
+  const auto wi = refracted_at_facet(wo, m, bsdf.eta);
   if (!wi || wi->z >= 0) return std::nullopt;
   out.wi = *wi;
   out.is_transmitted = true;
   out.radiance_scale = 1 / (bsdf.eta * bsdf.eta);
   out.weight = bsdf.colour * (snippets::ggx_g1(*wi, bsdf.alpha) * out.radiance_scale);
-  out.pdf = (1 - fresnel) * visible * refraction_jacobian(cos_o, dot(*wi, m), bsdf.eta);
+  if (const auto rounded = facet_as_rounded(wo, *wi, m, bsdf.eta))
+    out.pdf = (1 - fresnel) * snippets::ggx_visible_d(wo, *rounded, bsdf.alpha) *
+              refraction_jacobian(dot(wo, *rounded), dot(*wi, *rounded), bsdf.eta);
   return out;
 }
 

@@ -31,7 +31,7 @@ struct UvMap {
   std::array<float, 6> m{1, 0, 0, 0, 1, 0};
 };
 
-UvMap uv_map(const Mat4& matrix);
+UvMap uv_map(const Mat4& matrix, const scene::Texture& texture);
 
 inline Vec2f apply(const UvMap& map, Vec2f uv) {
   return {map.m[0] * uv.x + map.m[1] * uv.y + map.m[2], map.m[3] * uv.x + map.m[4] * uv.y + map.m[5]};

@@ -31,6 +31,7 @@ inline Float8 dot(Vec8 a, Vec8 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 inline float magnitude(float x) { return std::fabs(x); }
 inline float with_sign_of(float size, float sign) { return std::copysign(size, sign); }
+inline double with_sign_of(double size, double sign) { return std::copysign(size, sign); }
 
 inline Float8 square_root(Float8 x) {
   Float8 out;

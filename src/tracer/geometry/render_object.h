@@ -27,15 +27,17 @@ struct TriangleMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<int> materials;                 // per triangle
   std::vector<TriangleCache> triangle_cache;  // per triangle
-  bool is_vast = false;  // much larger than all else: places on it follow from the ray, see surface_point
+  /// Positions in double of a mesh that is much larger than all else, whose corners in floats are too coarse
+  /// for the scene on it. Empty otherwise.
+  std::vector<Vec3d> exact_positions{};
   /// At the end of the frame, of a mesh that changes its shape; else empty.
   std::vector<Vec3f> end_positions{};
   std::vector<Vec3f> end_normals{};
 };
 
 struct SphereSurface {
-  Vec3f centre;
-  float radius = 0;
+  Vec3d centre;
+  double radius = 0;
   int material = 0;
 };
 

@@ -54,7 +54,7 @@ float start_pdf(const World& world, const Start& start, const LightGuide* chosen
 }  // namespace
 
 EmittedRay emit(const World& world, const std::array<float, 4>& at, const std::array<float, 4>& choice) {
-  const std::size_t emitter = world.emitters.pick(choice[0]);
+  const std::size_t emitter = world.emitters.pick(with_more_digits(choice[0], choice[3]));
   const EmittingPoint from = point_on(world, emitter, at, choice);
   const auto to =
       sample_towards_casters(world.caustic_casters, from.position, from.normal, choice[1], at[2], at[3]);
@@ -67,7 +67,8 @@ EmittedRay emit_towards_use(const World& world,
                             const std::array<float, 4>& at,
                             const std::array<float, 4>& choice) {
   const LightGuide* guide = pick_guide(world.light_guides, choice[1]);
-  const std::size_t emitter = guide != nullptr ? guide->emitter : world.emitters.pick(choice[0]);
+  const std::size_t emitter =
+      guide != nullptr ? guide->emitter : world.emitters.pick(with_more_digits(choice[0], choice[3]));
   const EmittingPoint from = point_on(world, emitter, at, choice);
   const Vec3f direction = guide != nullptr
                               ? direction_towards(guide->target, from.position, from.normal, at[2], at[3])

@@ -18,8 +18,9 @@ struct EmittedRay {
   float weight = 0;
 };
 
-/// `at` samples the point on the emitter and the direction, `choice` the emitter, the caster and the side of
-/// a triangle; all numbers in [0, 1). The world must have emitters and caustic_casters.
+/// `at` samples the point on the emitter and the direction, `choice` the emitter, the caster, the side of a
+/// triangle, and the digits of the first that no float holds; all numbers in [0, 1). The world must have
+/// emitters and caustic_casters.
 EmittedRay emit(const World& world, const std::array<float, 4>& at, const std::array<float, 4>& choice);
 
 /// The same for a light vertex (light_vertex.h): by World::light_guides, and as far as these leave it open by

@@ -23,7 +23,7 @@ Vec3f end_of_shadow_ray(const EmitterPoint& point, Vec3f from) {
   return point.position + point.normal * std::min(2 * point.position_error + along_ray, height / 2);
 }
 
-std::optional<SelectedEmitter> select_emitter(const World& world, const LightSampleContext& at, float pick) {
+std::optional<SelectedEmitter> select_emitter(const World& world, const LightSampleContext& at, double pick) {
   if (!world.light_bvh.empty()) return world.light_bvh.select(at, pick);
   // For one emitter light_numbers draws no number to pick by.
   const std::size_t chosen = world.emitters.size() == 1 ? 0 : world.emitters.pick(pick);
@@ -55,7 +55,7 @@ float light_pdf(const World& world, const LightSampleContext& at, std::size_t em
 }
 
 std::optional<LightSample> sample_light(
-    const World& world, const LightSampleContext& at, float pick, float u, float v) {
+    const World& world, const LightSampleContext& at, double pick, float u, float v) {
   const auto selected = select_emitter(world, at, pick);
   if (!selected) return std::nullopt;
   const auto [chosen, probability] = *selected;

@@ -52,6 +52,6 @@ float light_pdf(const World& world, const LightSampleContext& at, std::size_t em
 
 /// Nothing if the sampled emitter does not shine on the point. pick, u and v in [0, 1).
 std::optional<LightSample> sample_light(
-    const World& world, const LightSampleContext& at, float pick, float u, float v);
+    const World& world, const LightSampleContext& at, double pick, float u, float v);
 
 }  // namespace orbs::tracer

@@ -31,22 +31,25 @@ LightSampleContext light_sample_context(const VertexLanes<T>& vertices, std::siz
   return {lane_of(vertices.position, lane), is_diffuse ? lane_of(vertices.shading_normal, lane) : Vec3f{}};
 }
 
-/// Random numbers for the choice of an emitter and of a point on it. At the first bounce the point takes the
-/// two numbers that the pixel position leaves of its set of four, so that pixel and light are stratified
-/// jointly.
+/// Random numbers for the choice of an emitter, of a point on it, and the digits of the first that no float
+/// holds. At the first bounce the point takes the two numbers that the pixel position leaves of its set of
+/// four, so that pixel and light are stratified jointly.
 template <Transport T>
-std::array<Float8, 3> light_numbers(const PathBatch<T>& batch,
+std::array<Float8, 4> light_numbers(const PathBatch<T>& batch,
                                     const World& world,
                                     const VertexLanes<T>& vertices,
                                     int bounce) {
   if (bounce > 0) {
     const auto u =
         draw(vertices.blocks, vertices.index, static_cast<std::uint32_t>(bounce), SampleDimension::Light);
-    return {u[0], u[1], u[2]};
+    return {u[0], u[1], u[2], u[3]};
   }
-  std::array<Float8, 3> out{};
-  if (world.emitters.size() > 1)
-    out[0] = draw(vertices.blocks, vertices.index, 0, SampleDimension::LightPick)[0];
+  std::array<Float8, 4> out{};
+  if (world.emitters.size() > 1) {
+    const auto u = draw(vertices.blocks, vertices.index, 0, SampleDimension::LightPick);
+    out[0] = u[0];
+    out[3] = u[1];
+  }
   for (std::size_t lane = 0; lane < vertices.count; ++lane) {
     const Vec2f first = batch.paths[vertices.path[lane]].first_light_numbers;
     out[1][lane] = first.x;
@@ -73,8 +76,9 @@ LightLanes sample_lights(const PathBatch<T>& batch,
   const auto numbers = light_numbers(batch, world, vertices, bounce);
   for (std::size_t lane = 0; lane < vertices.count; ++lane) {
     if (!vertices.samples_light[lane]) continue;
-    const auto light = sample_light(world, light_sample_context(vertices, lane), numbers[0][lane],
-                                    numbers[1][lane], numbers[2][lane]);
+    const auto light = sample_light(world, light_sample_context(vertices, lane),
+                                    with_more_digits(numbers[0][lane], numbers[3][lane]), numbers[1][lane],
+                                    numbers[2][lane]);
     // Lights are flat or convex, so none illuminates itself. But rounding can make it seem so.
     if (!light || static_cast<int>(light->emitter) == vertices.own_light[lane]) continue;
     set_lane(out.position, lane, light->position);

@@ -27,11 +27,13 @@ void sample_mirrored_light(PathBatch<T>& batch,
   const Vec3f position = lane_of(vertices.position, lane);
   const int count = count_planes_facing(world.mirror_planes, position);
   if (count == 0) return;
-  const int chosen = plane_facing(world.mirror_planes, position,
-                                  std::min(count - 1, static_cast<int>(u[3] * static_cast<float>(count))));
+  const float place = u[3] * static_cast<float>(count);
+  const int n = std::min(count - 1, static_cast<int>(place));
+  const int chosen = plane_facing(world.mirror_planes, position, n);
   const MirrorPlane& plane = nth(world.mirror_planes, chosen);
   const Vec3f mirrored_position = mirrored(plane, position);
-  const auto light = sample_light(world, {mirrored_position, {}}, u[0], u[1], u[2]);
+  const auto light = sample_light(world, {mirrored_position, {}},
+                                  with_more_digits(u[0], place - static_cast<float>(n)), u[1], u[2]);
   if (!light || !(height_over(plane, light->position) > 0)) return;
   const Vec3f direction = mirrored_direction(plane, normalised(light->position - mirrored_position));
   const Vec3f wo = frame.to_local(lane_of(vertices.to_viewer, lane));

@@ -95,8 +95,10 @@ void scatter(PathBatch<T>& batch,
     PathState<T>& path = batch.paths[vertices.path[lane]];
     path.throughput = T::chain(path.throughput, chosen[lane]->weight,
                                [&] { return scattering_at(vertices, frame, lane, wo, wi); });
-    // In the tail of a near-specular lobe light paths connect the first surface to the camera after all.
-    if (is_at_first_surface(path) && !is_delta(vertices.bsdf[lane]) && chosen[lane]->pdf < kTailPdf)
+    // In the tail of a near-specular lobe light paths connect the first surface to the camera after all. They
+    // do not where the pdf is zero, as the BSDF has no value there.
+    const float pdf = chosen[lane]->pdf;
+    if (is_at_first_surface(path) && !is_delta(vertices.bsdf[lane]) && pdf > 0 && pdf < kTailPdf)
       path.is_reached_by_light_paths = true;
     path.radiance_scale *= chosen[lane]->radiance_scale;
     note_mis_state<T>(path, world, vertices, lane, chosen[lane]->pdf);

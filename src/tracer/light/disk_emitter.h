@@ -9,14 +9,14 @@ struct CurvedSurface;
 
 /// Ellipse centre + s a + t b with s^2 + t^2 <= 1 that emits to the side of `normal`.
 struct DiskEmitter {
-  Vec3f centre;
-  Vec3f a;
-  Vec3f b;
-  Vec3f normal;
+  Vec3d centre;
+  Vec3d a;
+  Vec3d b;
+  Vec3d normal;
   float area = 0;
 };
 
-DiskEmitter make_emitter(const scene::DiskShape& disk, const Mat4& matrix, Vec3f normal);
+DiskEmitter make_emitter(const scene::DiskShape& disk, const Mat4& matrix, Vec3d normal);
 CurvedSurface surface_of(const DiskEmitter& disk);
 std::optional<EmitterPoint> sample_towards(const DiskEmitter& disk, Vec3f from, float u, float v);
 float pdf_towards(const DiskEmitter& disk, Vec3f from, Vec3f position);

@@ -12,7 +12,8 @@
 #include <variant>
 #include <vector>
 
-/// Emitters: the area lights of the scene and the triangles of emissive meshes.
+/// Emitters: the area lights of the scene and the triangles of emissive meshes. Lights are in double: of a
+/// lamp that is 10^5 times as large as the height of a point below it, floats leave that height two digits.
 namespace orbs::tracer {
 
 /// Variants of kinds of emitters only, see EmitterType.
@@ -28,6 +29,7 @@ struct AreaLight {
   std::optional<scene::IesUse> ies;
   std::array<Vec3f, 3> ies_axes;  // unit world directions of the profile's local x, y, z
   Vec3f centre;
+  bool is_vast = false;  // much larger than all else, as a mesh with exact positions
 };
 
 /// The functions of EmitterType, of any kind.

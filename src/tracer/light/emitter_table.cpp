@@ -18,7 +18,7 @@ void EmitterTable::build(const std::vector<float>& powers,
     probability_.push_back(static_cast<float>(power / total));
     scaled.push_back(power / total * static_cast<double>(powers.size()));
   }
-  keep_.assign(powers.size(), 1.0F);
+  keep_.assign(powers.size(), 1.0);
   alias_.resize(powers.size());
   std::iota(alias_.begin(), alias_.end(), 0U);
   std::vector<std::uint32_t> small;
@@ -28,7 +28,7 @@ void EmitterTable::build(const std::vector<float>& powers,
     const std::uint32_t s = small.back();
     const std::uint32_t l = large.back();
     small.pop_back();
-    keep_[s] = static_cast<float>(scaled[s]);
+    keep_[s] = scaled[s];
     alias_[s] = l;
     scaled[l] -= 1 - scaled[s];
     if (scaled[l] >= 1) continue;
@@ -37,10 +37,10 @@ void EmitterTable::build(const std::vector<float>& powers,
   }
 }
 
-std::size_t EmitterTable::pick(float u) const {
-  const float at = u * static_cast<float>(probability_.size());
+std::size_t EmitterTable::pick(double u) const {
+  const double at = u * static_cast<double>(probability_.size());
   const auto slot = std::min(static_cast<std::size_t>(at), probability_.size() - 1);
-  return at - static_cast<float>(slot) < keep_[slot] ? slot : alias_[slot];
+  return at - static_cast<double>(slot) < keep_[slot] ? slot : alias_[slot];
 }
 
 }  // namespace orbs::tracer

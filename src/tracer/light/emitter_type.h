@@ -59,6 +59,10 @@ concept EmitterType = requires(const Emitter& emitter, Vec3f at, float u) {
 inline float rounding_of(Vec3f a, Vec3f b, Vec3f c) {
   return 16 * 0x1p-24F * (largest_magnitude(a) + largest_magnitude(b) + largest_magnitude(c));
 }
+inline float rounding_of(Vec3d a, Vec3d b, Vec3d c) {
+  return 16 * 0x1p-24F *
+         static_cast<float>(largest_magnitude(a) + largest_magnitude(b) + largest_magnitude(c));
+}
 
 /// Pdf per solid angle of a point sampled uniformly by area.
 inline float area_to_solid_angle(Vec3f from, Vec3f position, Vec3f normal, float area) {
@@ -89,7 +93,5 @@ inline LightBounds flat_bounds(Vec3f centre, Vec3f half, Vec3f normal, float pow
           .cos_spread = 1,
           .power = power};
 }
-
-inline Vec3f direction_of(const Mat4& m, Vec3d v) { return cast<float>(transform_direction(m, v)); }
 
 }  // namespace orbs::tracer

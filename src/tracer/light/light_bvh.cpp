@@ -7,7 +7,7 @@ namespace orbs::tracer {
 
 namespace {
 
-constexpr float kBelowOne = 0x1.fffffep-1F;  // quotients may round to one
+constexpr double kBelowOne = 0x1.fffffffffffffp-1;  // quotients may round to one
 
 float along(Vec3f v, std::size_t axis) { return std::array{v.x, v.y, v.z}[axis]; }
 
@@ -142,11 +142,11 @@ float LightBvh::share_of_left(const Node& node, const LightSampleContext& at, co
   return left > 0 || right > 0 ? left / (left + right) : -1;
 }
 
-SelectedEmitter LightBvh::select_within(const EmitterGroup& group, float u) const {
+SelectedEmitter LightBvh::select_within(const EmitterGroup& group, double u) const {
   const auto begin = power_up_to_.begin() + static_cast<std::ptrdiff_t>(group.first);
   const auto end = begin + static_cast<std::ptrdiff_t>(group.count);
   const float total = *(end - 1);
-  const auto found = std::min(std::upper_bound(begin, end, u * total), end - 1);
+  const auto found = std::min(std::upper_bound(begin, end, u * static_cast<double>(total)), end - 1);
   const auto emitter = static_cast<std::size_t>(found - power_up_to_.begin());
   return {emitter, group.count == 1 ? 1 : power_of(emitter) / total};
 }
@@ -156,20 +156,21 @@ float LightBvh::power_of(std::size_t emitter) const {
   return power_up_to_[emitter] - (emitter > first ? power_up_to_[emitter - 1] : 0);
 }
 
-std::optional<SelectedEmitter> LightBvh::select(const LightSampleContext& at, float u) const {
+std::optional<SelectedEmitter> LightBvh::select(const LightSampleContext& at, double u) const {
   const float* const factors = factors_at(at);
   std::uint32_t index = 0;
   float probability = 1;
   while (nodes_[index].right != 0) {
     const float left = share_of_left(nodes_[index], at, factors);
     if (left < 0) return std::nullopt;
-    if (u < left) {
+    const double share = left;
+    if (u < share) {
       probability *= left;
-      u = std::min(u / left, kBelowOne);
+      u = std::min(u / share, kBelowOne);
       index = nodes_[index].left;
     } else {
       probability *= 1 - left;
-      u = std::min((u - left) / (1 - left), kBelowOne);
+      u = std::min((u - share) / (1 - share), kBelowOne);
       index = nodes_[index].right;
     }
   }

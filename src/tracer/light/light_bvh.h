@@ -42,8 +42,9 @@ class LightBvh {
   LightBvh(const std::vector<LightBounds>& emitters, const std::vector<EmitterGroup>& groups);
 
   bool empty() const { return nodes_.empty(); }
-  /// For u in [0, 1). Nothing if no emitter can shine on the point.
-  std::optional<SelectedEmitter> select(const LightSampleContext& at, float u) const;
+  /// For u in [0, 1), of which each step down takes as many bits as its child is improbable. Nothing if no
+  /// emitter can shine on the point.
+  std::optional<SelectedEmitter> select(const LightSampleContext& at, double u) const;
   /// With which select() chooses this emitter for the point.
   float probability(const LightSampleContext& at, std::size_t emitter) const;
 
@@ -70,7 +71,7 @@ class LightBvh {
   const float* factors_at(const LightSampleContext& at) const {
     return factors_.empty() ? nullptr : factors_.row_at(at);
   }
-  SelectedEmitter select_within(const EmitterGroup& group, float u) const;
+  SelectedEmitter select_within(const EmitterGroup& group, double u) const;
   float power_of(std::size_t emitter) const;
 
   std::vector<Node> nodes_;

@@ -31,28 +31,28 @@ struct SphericalRectangle {
 
 // Of centre +- half_width +- half_length, at a right angle. Nothing if the solid angle is below 1e-2 sr,
 // where the sum of four angles minus 2 pi has fewer than four significant digits in float.
-std::optional<SphericalRectangle> make_spherical_rectangle(Vec3f centre,
-                                                           Vec3f half_width,
-                                                           Vec3f half_length,
+std::optional<SphericalRectangle> make_spherical_rectangle(Vec3d centre,
+                                                           Vec3d half_width,
+                                                           Vec3d half_length,
                                                            Vec3f from) {
   SphericalRectangle r;
   r.from = from;
-  const float width = 2 * length(half_width);
-  const float height = 2 * length(half_length);
-  r.x = half_width * (2 / width);
-  r.y = half_length * (2 / height);
-  r.z = cross(r.x, r.y);
-  const Vec3f d = centre - half_width - half_length - from;
-  r.z0 = dot(d, r.z);
-  if (r.z0 > 0) {
-    r.z = -r.z;
-    r.z0 = -r.z0;
-  }
+  const double width = 2 * length(half_width);
+  const double height = 2 * length(half_length);
+  const Vec3d x = half_width * (2 / width);
+  const Vec3d y = half_length * (2 / height);
+  const Vec3d z = cross(x, y);
+  const Vec3d d = centre - half_width - half_length - cast<double>(from);
+  const double along_z = dot(d, z);
+  r.x = cast<float>(x);
+  r.y = cast<float>(y);
+  r.z = cast<float>(along_z > 0 ? -z : z);
+  r.z0 = -static_cast<float>(std::abs(along_z));
   if (r.z0 == 0) return std::nullopt;  // seen edge-on
-  r.x0 = dot(d, r.x);
-  r.y0 = dot(d, r.y);
-  r.x1 = r.x0 + width;
-  r.y1 = r.y0 + height;
+  r.x0 = static_cast<float>(dot(d, x));
+  r.y0 = static_cast<float>(dot(d, y));
+  r.x1 = static_cast<float>(dot(d, x) + width);
+  r.y1 = static_cast<float>(dot(d, y) + height);
   // z components of the normals of the four side planes: -coordinate / hypot(z0, coordinate).
   const auto plane = [&](float coordinate) { return coordinate / std::hypot(r.z0, coordinate); };
   const float n0 = -plane(r.y0);
@@ -89,29 +89,30 @@ Vec3f sample_point(const SphericalRectangle& r, float u, float v) {
   return r.from + r.x * xu + r.y * std::clamp(yv, r.y0, r.y1) + r.z * r.z0;
 }
 
-Vec3f absolute(Vec3f v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
+Vec3f absolute(Vec3d v) { return cast<float>(Vec3d{std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 // Closer than two side lengths 1/d^2 varies by more than a factor of 4 over the rectangle, and area sampling
 // spends most samples on its far end.
 std::optional<SphericalRectangle> near_rectangle(const RectEmitter& rect, Vec3f from) {
-  const Vec3f d = rect.centre - from;
+  const Vec3f d = cast<float>(rect.centre) - from;
   if (!rect.is_orthogonal || dot(d, d) > 4 * rect.area) return std::nullopt;
   return make_spherical_rectangle(rect.centre, rect.a, rect.b, from);
 }
 
 Vec3f place(const RectEmitter& rect, float u, float v) {
-  return rect.centre + rect.a * (2 * u - 1) + rect.b * (2 * v - 1);
+  return cast<float>(rect.centre + rect.a * static_cast<double>(2 * u - 1) +
+                     rect.b * static_cast<double>(2 * v - 1));
 }
 
 }  // namespace
 
-RectEmitter make_emitter(const scene::RectShape& rect, const Mat4& matrix, Vec3f normal) {
-  RectEmitter out{.centre = cast<float>(transform_point(matrix, {})),
-                  .a = direction_of(matrix, {rect.half_width_m, 0, 0}),
-                  .b = direction_of(matrix, {0, 0, rect.half_length_m}),
+RectEmitter make_emitter(const scene::RectShape& rect, const Mat4& matrix, Vec3d normal) {
+  RectEmitter out{.centre = transform_point(matrix, {}),
+                  .a = transform_direction(matrix, {rect.half_width_m, 0, 0}),
+                  .b = transform_direction(matrix, {0, 0, rect.half_length_m}),
                   .normal = normal};
-  out.area = 4 * length(cross(out.a, out.b));
-  out.is_orthogonal = std::abs(dot(out.a, out.b)) <= 1e-5F * length(out.a) * length(out.b);
+  out.area = static_cast<float>(4 * length(cross(out.a, out.b)));
+  out.is_orthogonal = std::abs(dot(out.a, out.b)) <= 1e-5 * length(out.a) * length(out.b);
   return out;
 }
 
@@ -122,33 +123,35 @@ Quad surface_of(const RectEmitter& rect) {
 
 std::optional<EmitterPoint> sample_towards(const RectEmitter& rect, Vec3f from, float u, float v) {
   const float error = rounding_of(rect);
-  if (dot(rect.normal, from - rect.centre) <= 0) return std::nullopt;
+  const Vec3f normal = cast<float>(rect.normal);
+  if (dot(rect.normal, cast<double>(from) - rect.centre) <= 0) return std::nullopt;
   if (const auto spherical = near_rectangle(rect, from))
-    return EmitterPoint{sample_point(*spherical, u, v), rect.normal, 1 / spherical->solid_angle, error};
-  return point_by_area(from, place(rect, u, v), rect.normal, rect.area, error);
+    return EmitterPoint{sample_point(*spherical, u, v), normal, 1 / spherical->solid_angle, error};
+  return point_by_area(from, place(rect, u, v), normal, rect.area, error);
 }
 
 float pdf_towards(const RectEmitter& rect, Vec3f from, Vec3f position) {
   if (const auto spherical = near_rectangle(rect, from)) return 1 / spherical->solid_angle;
-  return area_to_solid_angle(from, position, rect.normal, rect.area);
+  return area_to_solid_angle(from, position, cast<float>(rect.normal), rect.area);
 }
 
 EmittingPoint point_on(const RectEmitter& rect, float u, float v) {
-  return {place(rect, u, v), rect.normal, 1 / rect.area, rounding_of(rect), {}};
+  return {place(rect, u, v), cast<float>(rect.normal), 1 / rect.area, rounding_of(rect), {}};
 }
 
 float pdf_area(const RectEmitter& rect, Vec3f) { return 1 / rect.area; }
 
-Vec3f normal_of(const RectEmitter& rect, Vec3f) { return rect.normal; }
+Vec3f normal_of(const RectEmitter& rect, Vec3f) { return cast<float>(rect.normal); }
 
 bool shows_bright_side(const RectEmitter& rect, Vec3f, Vec3f to_viewer) {
-  return dot(rect.normal, to_viewer) > 0;
+  return dot(rect.normal, cast<double>(to_viewer)) > 0;
 }
 
 float rounding_of(const RectEmitter& rect) { return rounding_of(rect.centre, rect.a, rect.b); }
 
 LightBounds bounds_of(const RectEmitter& rect, float power) {
-  return flat_bounds(rect.centre, absolute(rect.a) + absolute(rect.b), rect.normal, power);
+  return flat_bounds(cast<float>(rect.centre), absolute(rect.a) + absolute(rect.b), cast<float>(rect.normal),
+                     power);
 }
 
 }  // namespace orbs::tracer

@@ -9,20 +9,20 @@ namespace orbs::tracer {
 
 /// Parallelogram centre +- a +- b that emits to the side of `normal`.
 struct RectEmitter {
-  Vec3f centre;
-  Vec3f a;  // half the width
-  Vec3f b;  // half the length
-  Vec3f normal;
+  Vec3d centre;
+  Vec3d a;  // half the width
+  Vec3d b;  // half the length
+  Vec3d normal;
   float area = 0;
   bool is_orthogonal = false;
 };
 
 /// Two triangles: the corners 0, 1, 2 and 0, 2, 3.
 struct Quad {
-  std::array<Vec3f, 4> corners;
+  std::array<Vec3d, 4> corners;
 };
 
-RectEmitter make_emitter(const scene::RectShape& rect, const Mat4& matrix, Vec3f normal);
+RectEmitter make_emitter(const scene::RectShape& rect, const Mat4& matrix, Vec3d normal);
 Quad surface_of(const RectEmitter& rect);
 std::optional<EmitterPoint> sample_towards(const RectEmitter& rect, Vec3f from, float u, float v);
 float pdf_towards(const RectEmitter& rect, Vec3f from, Vec3f position);

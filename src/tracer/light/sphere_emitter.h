@@ -12,14 +12,14 @@ struct CurvedSurface;
 /// Image of the unit sphere under p -> centre + axes p: a sphere, or an ellipsoid if the matrix of the light
 /// scales unevenly.
 struct SphereEmitter {
-  Vec3f centre;
-  std::array<Vec3f, 3> axes{};     // images of the unit axes
-  std::array<Vec3f, 3> inverse{};  // rows of the inverse map
-  float determinant = 1;           // |det axes|
+  Vec3d centre;
+  std::array<Vec3d, 3> axes{};     // images of the unit axes
+  std::array<Vec3d, 3> inverse{};  // rows of the inverse map
+  double determinant = 1;          // |det axes|
   float area = 0;                  // of the sphere of equal volume; used for selection only
 };
 
-SphereEmitter make_emitter(const scene::SphereShape& sphere, const Mat4& matrix, Vec3f normal);
+SphereEmitter make_emitter(const scene::SphereShape& sphere, const Mat4& matrix, Vec3d normal);
 CurvedSurface surface_of(const SphereEmitter& sphere);
 std::optional<EmitterPoint> sample_towards(const SphereEmitter& sphere, Vec3f from, float u, float v);
 float pdf_towards(const SphereEmitter& sphere, Vec3f from, Vec3f position);

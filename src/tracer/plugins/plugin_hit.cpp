@@ -90,6 +90,7 @@ SolidPoint point_on_plugin(const PluginShape& shape, const Ray& ray, const Hit& 
   const double t = is_same ? found->t : hit.distance;
   out.position = cast<double>(ray.origin) + cast<double>(ray.direction) * t;
   out.normal = is_same ? found->normal : -normalised(cast<double>(ray.direction));
+  out.error = kDoubleRounding * std::max(largest_magnitude(shape.low), largest_magnitude(shape.high));
   return out;
 }
 

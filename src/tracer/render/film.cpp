@@ -4,6 +4,7 @@
 #include "tracer/integrator/path_class.h"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -68,6 +69,16 @@ void store(image::Image& image, std::size_t pixel, std::size_t channel, Vec3d va
   at[2] = static_cast<float>(value.z);
 }
 
+// Noise that is too small for floats beside that of brighter pixels is stated as the least float: 0 would say
+// that there is none.
+Vec3d not_below_floats(Vec3d variance) {
+  const auto stated = [](double v) {
+    constexpr double kLeast = std::numeric_limits<float>::denorm_min();
+    return v > kLeast || v == 0 ? v : kLeast;
+  };
+  return {stated(variance.x), stated(variance.y), stated(variance.z)};
+}
+
 }  // namespace
 
 image::Image resolve(const Film& film, const std::vector<Vec3d>& variances) {
@@ -96,7 +107,7 @@ image::Image resolve(const Film& film, const std::vector<Vec3d>& variances) {
     const double count = film.pixels[i].finished_count;
     const Vec3d mean = mean_of(film, i);
     store(image, i, 0, mean);
-    if (!variances.empty()) store(image, i, 3, variances[i]);
+    if (!variances.empty()) store(image, i, 3, not_below_floats(variances[i]));
     for (std::size_t k = 0; k < layers.size(); ++k)
       store(image, i, first_layer + 3 * k, count > 0 ? (*layers[k])[i] / count : Vec3d{});
     if (!film.stokes.empty()) store(image, i, first_layer + 3 * layers.size(), mean);

@@ -11,6 +11,11 @@ namespace orbs::tracer {
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kInvPi = std::numbers::inv_pi_v<float>;
 
+/// A number in [0, 1) with the digits of both: `more`, in [0, 1), divides the step of a 24-bit number.
+inline double with_more_digits(float u, float more) {
+  return std::min(static_cast<double>(u) + static_cast<double>(more) * 0x1p-24, 0x1.fffffffffffffp-1);
+}
+
 /// (cos x, sin x) for |x| <= pi / 4 by their Taylor series; the truncation errors are below 3e-8 and 2e-9,
 /// half an ulp.
 inline Vec2f cos_sin_of_eighth(float x) {

@@ -62,6 +62,11 @@ Bounds world_bounds(const SolidLeaf& leaf) {
   return world;
 }
 
+double size_of(const SolidLeaf& leaf, const Bounds& world) {
+  if (std::isinf(world.low.x)) return largest_magnitude(transform_point(leaf.to_world, {}));
+  return std::max(largest_magnitude(world.low), largest_magnitude(world.high));
+}
+
 Bounds combined(scene::SetOperation operation, const Bounds& a, const Bounds& b) {
   switch (operation) {
     case scene::SetOperation::Union:
@@ -111,9 +116,10 @@ class Builder {
     leaf.to_world = matrix * leaf.to_world;
     leaf.to_local = inverse(leaf.to_world).value();  // the loader lets only invertible matrices through
     leaf.material = material;
+    bounds_.push_back(world_bounds(leaf));
+    leaf.size = size_of(leaf, bounds_.back());
     solid_.leaves.push_back(std::move(leaf));
     solid_.nodes.push_back({static_cast<int>(solid_.leaves.size() - 1)});
-    bounds_.push_back(world_bounds(solid_.leaves.back()));
     return static_cast<std::uint32_t>(solid_.nodes.size() - 1);
   }
 

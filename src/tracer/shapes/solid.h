@@ -65,6 +65,7 @@ struct SolidLeaf {
   Mat4 to_local;
   Mat4 to_world;
   int material = 0;
+  double size = 0;  // largest coordinate of its bounds in world space, or of a half-space's place
 };
 
 /// A leaf, or two nodes and what is made of them. Children come before their parents.

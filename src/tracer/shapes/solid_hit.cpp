@@ -101,6 +101,7 @@ SolidPoint point_on_solid(const Solid& solid, const Ray& ray, const Hit& hit) {
       face_of(hit) == kOwnFace ? std::visit(LocalNormal{local}, leaf.form) : normal_of_face(face_of(hit));
   out.normal = normalised(transform_normal(leaf.to_local, normal));
   if (is_flipped(hit)) out.normal = -out.normal;
+  out.error = kDoubleRounding * leaf.size;
   return out;
 }
 

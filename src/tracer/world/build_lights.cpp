@@ -13,7 +13,7 @@ namespace {
 AreaLight prepare_light(const scene::Light& light, Vec3d origin, const SceneColours& colours) {
   const Mat4 matrix = relative_to(light.matrix, origin);
   const Mat4 back = inverse(matrix).value();
-  const Vec3f normal = cast<float>(normalised(transform_normal(back, {0, -1, 0})));
+  const Vec3d normal = normalised(transform_normal(back, {0, -1, 0}));
   AreaLight out{
       .shape = std::visit([&](const auto& s) -> EmitterShape { return make_emitter(s, matrix, normal); },
                           light.shape),
@@ -89,12 +89,17 @@ void add_emissive_triangles(const World& world,
 
 }  // namespace
 
-void add_lights(const scene::Scene& scene, Vec3d origin, const SceneColours& colours, World& world) {
+void add_lights(const scene::Scene& scene,
+                Vec3d origin,
+                const SceneColours& colours,
+                const std::vector<bool>& is_vast,
+                World& world) {
   for (const auto& light : scene.lights) {
     RenderObject object;
     object.kind = ObjectKind::Light;
     object.light = world.lights.size();
     world.lights.push_back(prepare_light(light, origin, colours));
+    world.lights.back().is_vast = is_vast[object.light];
     world.objects.push_back(std::move(object));
   }
 }

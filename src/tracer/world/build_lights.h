@@ -6,8 +6,12 @@
 /// Steps of make_world.
 namespace orbs::tracer {
 
-/// Adds the area lights, in coordinates relative to `origin`.
-void add_lights(const scene::Scene& scene, Vec3d origin, const SceneColours& colours, World& world);
+/// Adds the area lights, in coordinates relative to `origin`. `is_vast`: as in add_meshes, of each light.
+void add_lights(const scene::Scene& scene,
+                Vec3d origin,
+                const SceneColours& colours,
+                const std::vector<bool>& is_vast,
+                World& world);
 
 /// Fills world.emitters from lights and emissive triangles, once materials, meshes and lights are there, and
 /// world.light_bvh if it is to select them.

@@ -1,7 +1,6 @@
 #include "tracer/world/build_meshes.h"
 
 #include "base/nth.h"
-#include "scene/geometry/world_bounds.h"
 #include "scene/motion.h"
 #include "tracer/geometry/transforms.h"
 #include "tracer/shapes/build_solids.h"
@@ -12,11 +11,11 @@ namespace orbs::tracer {
 
 namespace {
 
-// The rounding of the corners of a mesh that is 256 times as large as the scene on it is 1e-5 of that scene,
-// and what follows from it 1e-4.
-constexpr double kVast = 256;
-
 constexpr std::size_t kNotAdded = std::numeric_limits<std::size_t>::max();
+
+// Of finer meshes the triangles next to the scene are small and near, and floats hold their corners. In
+// double they would take several times as long to meet.
+constexpr std::size_t kMostExactTriangles = 1024;
 
 // A mesh that changes its shape is never moved by a matrix here.
 TriangleMesh copy_mesh(const scene::Mesh& mesh, const Mat4& matrix) {
@@ -33,6 +32,13 @@ TriangleMesh copy_mesh(const scene::Mesh& mesh, const Mat4& matrix) {
   const Mat4 back = inverse(matrix).value();  // the loader refuses singular matrices
   for (Vec3f& p : out.positions) p = cast<float>(transform_point(matrix, cast<double>(p)));
   for (Vec3f& n : out.normals) n = cast<float>(normalised(transform_normal(back, cast<double>(n))));
+  return out;
+}
+
+std::vector<Vec3d> exact_positions(const scene::Mesh& mesh, const Mat4& matrix) {
+  std::vector<Vec3d> out;
+  out.reserve(mesh.positions.size());
+  for (const Vec3f p : mesh.positions) out.push_back(transform_point(matrix, cast<double>(p)));
   return out;
 }
 
@@ -53,7 +59,11 @@ Mat4 relative_to(Mat4 matrix, Vec3d origin) {
   return matrix;
 }
 
-void add_meshes(const scene::Scene& scene, Vec3d origin, std::size_t most_copied_triangles, World& world) {
+void add_meshes(const scene::Scene& scene,
+                Vec3d origin,
+                const std::vector<bool>& is_vast,
+                std::size_t most_copied_triangles,
+                World& world) {
   std::vector<int> uses(scene.meshes.size(), 0);
   std::size_t copied = 0;
   for (const auto& instance : scene.instances) {
@@ -61,7 +71,6 @@ void add_meshes(const scene::Scene& scene, Vec3d origin, std::size_t most_copied
     copied += nth(scene.meshes, instance.mesh).triangles.size();
   }
   std::vector<std::size_t> shared(scene.meshes.size(), kNotAdded);
-  const auto is_vast = scene::vast_instances(scene, kVast);
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const auto& instance = scene.instances[i];
     const auto index = static_cast<std::size_t>(instance.mesh);
@@ -73,7 +82,8 @@ void add_meshes(const scene::Scene& scene, Vec3d origin, std::size_t most_copied
     if (!is_moving && (copied <= most_copied_triangles || uses[index] == 1)) {
       object.mesh = world.meshes.size();
       world.meshes.push_back(copy_mesh(scene.meshes[index], matrix));
-      world.meshes.back().is_vast = is_vast[i];
+      if (is_vast[i] && scene.meshes[index].triangles.size() <= kMostExactTriangles)
+        world.meshes.back().exact_positions = exact_positions(scene.meshes[index], matrix);
     } else {
       if (shared[index] == kNotAdded) {
         shared[index] = world.meshes.size();
@@ -96,8 +106,7 @@ void add_spheres(const scene::Scene& scene, Vec3d origin, World& world) {
     RenderObject object;
     object.kind = ObjectKind::Sphere;
     object.sphere = world.spheres.size();
-    world.spheres.push_back(
-        {cast<float>(sphere.centre_m - origin), static_cast<float>(sphere.radius_m), sphere.material});
+    world.spheres.push_back({sphere.centre_m - origin, sphere.radius_m, sphere.material});
     world.objects.push_back(std::move(object));
   }
 }

@@ -61,6 +61,10 @@ scene::LightTransport checked_transport(const scene::Scene& scene, const WorldSe
                                scene::transport_name(*given)));
 }
 
+// The rounding of the corners of a mesh or a light that is 256 times as large as all that is smaller is 1e-5
+// of that, and what follows from it 1e-4. Beyond, its triangles are met in double.
+constexpr double kVast = 256;
+
 // Products of four lengths leave the range of floats in a scene of 1e-8 m, and tolerances are absolute in
 // places. No radiance depends on a scale, so a small scene is enlarged by a power of two: bit for bit the
 // same image as of the larger scene. A large scene is reduced: two of its places are two radii apart at most,
@@ -100,11 +104,12 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
     world.textures.push_back(load_texels(
         texture, settings.fault == scene::RenderFault::RawTextures ? Texels::AsStored : Texels::Linear));
   add_materials(scene, colours, world);
-  add_meshes(scene, origin, settings.most_copied_triangles, world);
+  const scene::VastObjects is_vast = scene::vast_objects(scene, kVast);
+  add_meshes(scene, origin, is_vast.instances, settings.most_copied_triangles, world);
   add_spheres(scene, origin, world);
   add_solids(scene, origin, world);
   add_plugin_shapes(scene, origin, settings.plugins, world);
-  add_lights(scene, origin, colours, world);
+  add_lights(scene, origin, colours, is_vast.lights, world);
   build_emitters(world, settings.light_selection);
   for (TriangleMesh& mesh : world.meshes) fill_triangle_cache(mesh);
   world.direct_light = settings.direct_light;

@@ -49,7 +49,7 @@ std::optional<BoundingSphere> sphere_about(const World& world, const RenderObjec
   if (object.kind == ObjectKind::Sphere) {
     const SphereSurface& sphere = world.spheres[object.sphere];
     if (!nth(world.materials, sphere.material).is_near_specular) return std::nullopt;
-    return BoundingSphere{sphere.centre, sphere.radius};
+    return BoundingSphere{cast<float>(sphere.centre), static_cast<float>(sphere.radius)};
   }
   Box box;
   for_each_near_specular_corner(world, object, [&](Vec3f p) { box.add(p); });

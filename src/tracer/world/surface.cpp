@@ -51,43 +51,25 @@ SurfacePoint point_on_instance(const World& world, const RenderObject& object, c
   return out;
 }
 
-// A place on a triangle that is much larger than the scene on it: interpolated from the corners it would be
-// off by their rounding, within the plane as well. By the ray it is as accurate as its distance. The bound of
-// the error perpendicular to the plane counts each axis with the share of the normal: of a level ground with
-// the height of its corners, however far out they lie.
-void place_by_ray(const TriangleMesh& mesh, const Ray& ray, const Hit& hit, SurfacePoint& out) {
-  const auto& corners = mesh.triangles[hit.primitive];
-  const auto largest_at = [&](float Vec3f::*axis) {
-    float largest_so_far = 0;
-    for (const auto corner : corners)
-      largest_so_far = std::max(largest_so_far, std::abs(mesh.positions[corner].*axis));
-    return largest_so_far;
-  };
-  const Vec3f n = out.geometric_normal;
-  const Vec3f share{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
-  const Vec3f size{largest_at(&Vec3f::x), largest_at(&Vec3f::y), largest_at(&Vec3f::z)};
-  out.position = ray.origin + ray.direction * hit.distance;
-  // Divided by the 1-norm of the normal, with which offset_origin multiplies.
-  out.position_error = kTriangleRounding * (dot(share, size) / (share.x + share.y + share.z) +
-                                            largest_magnitude(ray.origin) + hit.distance);
-}
-
-// The hit point is projected onto the sphere along its normal. What remains is the rounding of the sum, of
-// the normalisation, and of centre and radius in the intersection test of the next ray: less than 8 half ulp.
-constexpr float kSphereRounding = 8 * 0x1p-24F;
-
-SurfacePoint point_on_sphere(const SphereSurface& sphere, const Ray& ray, const Hit& hit) {
-  SurfacePoint out;
-  out.material = sphere.material;
-  out.geometric_normal = normalised(ray.origin + ray.direction * hit.distance - sphere.centre);
-  out.shading_normal = out.geometric_normal;
-  out.position = sphere.centre + out.geometric_normal * sphere.radius;
-  out.position_error = kSphereRounding * (largest_magnitude(sphere.centre) + sphere.radius);
-  return out;
-}
-
 // The hit point is known in double. What remains is the rounding of the point and of the origin beside it.
 constexpr float kSolidRounding = 4 * 0x1p-24F;
+
+// A place on a triangle that is much larger than the scene on it: interpolated from the corners it would be
+// off by their rounding. By the ray it is as accurate as its distance, and in the plane of the corners in
+// double.
+void place_in_plane(const TriangleMesh& mesh, const Ray& ray, const Hit& hit, SurfacePoint& out) {
+  const auto& corners = mesh.triangles[hit.primitive];
+  const auto corner = [&](std::size_t i) { return mesh.exact_positions[corners[i]]; };
+  const Vec3d normal = normalised(cross(corner(1) - corner(0), corner(2) - corner(0)));
+  const Vec3d by_ray =
+      cast<double>(ray.origin) + cast<double>(ray.direction) * static_cast<double>(hit.distance);
+  out.position = cast<float>(by_ray + normal * dot(normal, corner(0) - by_ray));
+  out.geometric_normal = cast<float>(normal);
+  const double size =
+      std::max({largest_magnitude(corner(0)), largest_magnitude(corner(1)), largest_magnitude(corner(2))});
+  out.position_error =
+      kSolidRounding * largest_magnitude(out.position) + static_cast<float>(kDoubleRounding * size);
+}
 
 SurfacePoint point_on_shape(const SolidPoint& point) {
   SurfacePoint out;
@@ -95,8 +77,18 @@ SurfacePoint point_on_shape(const SolidPoint& point) {
   out.position = cast<float>(point.position);
   out.geometric_normal = cast<float>(point.normal);
   out.shading_normal = out.geometric_normal;
-  out.position_error = kSolidRounding * largest_magnitude(out.position);
+  out.position_error = kSolidRounding * largest_magnitude(out.position) + static_cast<float>(point.error);
   return out;
+}
+
+SurfacePoint point_on_sphere(const SphereSurface& sphere, const Ray& ray, const Hit& hit) {
+  const double t = static_cast<double>(hit.distance) + static_cast<double>(hit.barycentric.x);
+  SolidPoint out;
+  out.material = sphere.material;
+  out.normal = normalised(cast<double>(ray.origin) + cast<double>(ray.direction) * t - sphere.centre);
+  out.position = sphere.centre + out.normal * sphere.radius;
+  out.error = kDoubleRounding * (largest_magnitude(sphere.centre) + sphere.radius);
+  return point_on_shape(out);
 }
 
 // Surfaces other than meshes in world space.
@@ -164,7 +156,7 @@ SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit) {
                            : unit_or(interpolated_normal(mesh, hit, [](Vec3f normal) { return normal; }),
                                      triangle.geometric_normal);
   out.position_error = kTriangleRounding * triangle.size;
-  if (mesh.is_vast) place_by_ray(mesh, ray, hit, out);
+  if (!mesh.exact_positions.empty()) place_in_plane(mesh, ray, hit, out);
   return out;
 }
 

@@ -61,6 +61,21 @@ TEST(BadSamples, FailAnImageThatChecksAloneJudge) {
   EXPECT_EQ(record.verdict, Verdict::Fail) << record.reason;
 }
 
+// What shapes did not answer is a hole in the image as well.
+TEST(BadSamples, OfPlugInsAndOfSearchesWithoutEndFailAnImage) {
+  for (const char* attribute : {"orbs.plugin_faults", "orbs.unfinished_roots"}) {
+    auto image = with_bad_samples("0");
+    image.attributes[attribute] = "19";
+    EXPECT_EQ(judged(one_case(), image, grey(0.2501F)).verdict, Verdict::PassWithRemarks) << attribute;
+    image.attributes[attribute] = "40";
+    const auto record = judged(one_case(), image, grey(0.2501F));
+    EXPECT_EQ(record.verdict, Verdict::Fail) << attribute;
+    EXPECT_TRUE(record.reason.starts_with("in 1.92e+05 samples 40 ")) << record.reason;
+    EXPECT_EQ("orbs." + record.checks.back().what, attribute);
+    EXPECT_EQ(judge::difference_of(with_bad_samples("0"), image).attributes.at(attribute), "40");
+  }
+}
+
 TEST(BadSamples, OfBothScenesAreMissingInADifference) {
   const auto difference = judge::difference_of(with_bad_samples("12"), with_bad_samples("8"));
   EXPECT_EQ(difference.attributes.at("orbs.bad_samples"), "20");

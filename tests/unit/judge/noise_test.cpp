@@ -133,3 +133,29 @@ TEST(Judge, AReferenceTooNoisyForTheGateIsSaidToBeSo) {
   EXPECT_EQ(record.verdict, Verdict::Inconclusive);
   EXPECT_NE(record.reason.find("the reference is too noisy"), std::string::npos) << record.reason;
 }
+
+// 10 % of noise on 1024 pixels leaves 0.3 % of the mean. Its square is infinite as a float, or zero: neither
+// may make the mean certain. The infinite ones are a fault of their own; of the zeros one cannot tell whether
+// there is noise, but in an image of one colour, which shows none.
+TEST(Judge, VariancesBeyondTheRangeOfFloatsAreNotUsedAndSaidToBeSo) {
+  auto by = one_case();
+  by.gates = {{"mean_ratio_r", -0.001, 0.001}};
+  for (const float value : {1e25F, 1e-25F}) {
+    const auto noisy = noisy_grey(value, 0.1F * value);
+    ASSERT_TRUE(noisy.pixels[3] == 0 || std::isinf(noisy.pixels[3]));
+    const auto record = judged(by, noisy, grey_32(value));
+    EXPECT_EQ(record.verdict, Verdict::Inconclusive) << value << " " << record.reason;
+    ASSERT_EQ(record.remarks.size(), 1U) << value;
+    EXPECT_NE(record.remarks[0].find("its variances are not used"), std::string::npos) << record.remarks[0];
+    auto far_off = noisy;
+    for (std::size_t i = 0; i < far_off.pixels.size(); ++i)
+      if (i % 6 < 3) far_off.pixels[i] *= 1.2F;
+    EXPECT_EQ(judged(by, far_off, grey_32(value)).verdict, Verdict::Fail) << value;
+  }
+  EXPECT_EQ(judge::variance_problem(grey(1e-25F, 0)), "");
+  EXPECT_EQ(judge::variance_problem(noisy_grey(1e-10F, 1e-12F)), "");
+  auto free_of_noise = noisy_grey(0.5F, 0.1F);
+  for (std::size_t i = 0; i < free_of_noise.pixels.size(); ++i)
+    if (i % 6 >= 3) free_of_noise.pixels[i] = 0;
+  EXPECT_EQ(judge::variance_problem(free_of_noise), "");
+}

@@ -61,6 +61,13 @@ Rgb scaled(Rgb rgb, double factor) {
 
 }  // namespace
 
+TEST(Patterns, AreSaidWithAnIntervalThatHoldsThem) {
+  const orbs::metrics::Pattern gamma{
+      .more = "of a higher gamma", .less = "of a lower gamma", .negligible = 0.002, .largest = 0.3};
+  EXPECT_EQ(describe({&gamma, 0.0107, -0.0325, 0.0538, 9}), "of a higher gamma by 1.07 % (-3.25 to 5.38)");
+  EXPECT_EQ(describe({&gamma, -0.05, -0.06, -0.04, 9}), "of a lower gamma by 5 % (4 to 6)");
+}
+
 // A pattern is the first order of its fault, and says nothing of errors that are far larger.
 TEST(Patterns, AreNotSaidOutOfTheirRange) {
   const orbs::metrics::Pattern gamma{

@@ -364,7 +364,7 @@ TEST(Configuration, TheOneOfTheRepositoryIsRight) {
   std::vector<std::string> formats;
   for (const auto& renderer : configuration.renderers) formats.push_back(renderer.format.name);
   EXPECT_EQ(formats, (std::vector<std::string>{"orbs-scene", "orbs-scene", "povray", "mitsuba", "pbrt",
-                                               "hydra", "hydra", "hydra", "obj", "ply", "gltf"}));
+                                               "hydra", "hydra", "hydra", "obj", "ply", "gltf", "gltf"}));
 }
 
 TEST(Configuration, WhatIsOnlyWhenNamedIsNoneOfAllRenderers) {

@@ -174,6 +174,23 @@ TEST(PageData, ShowsTheMetricOfTheGatesFirst) {
   EXPECT_TRUE(holds(report::overview_json(view), R"("main_metric": "psnr_srgb8")"));
 }
 
+// "pass, 34.6 dB" looked like a mistake where at least 35 dB are needed.
+TEST(PageData, ShowsThePsnrThatTheVerdictRestsOn) {
+  results::TargetRecord target;
+  for (const auto& [name, value] :
+       {std::pair{"psnr_srgb8", 34.6}, std::pair{"psnr_without_noise", 40.5}, std::pair{"ssim", 0.9}}) {
+    results::Measure measure;
+    measure.name = name;
+    measure.value = value;
+    target.measures.push_back(measure);
+  }
+  results::RunView view;
+  view.run.targets = {target};
+  const auto text = report::overview_json(view);
+  EXPECT_TRUE(holds(text, R"("psnr_srgb8": [40.5])")) << text;
+  EXPECT_TRUE(holds(text, R"("ssim": [0.9])")) << text;
+}
+
 // A render that a difference looks at, too, took its time once.
 TEST(PageData, CountsEachRenderOnce) {
   results::JobRecord job;

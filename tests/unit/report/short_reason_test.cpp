@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+using orbs::report::line_reason;
 using orbs::report::short_reason;
+using namespace orbs::results;
 
 TEST(ShortReason, IsTheFirstSentenceWithoutWhatStandsInParentheses) {
   EXPECT_EQ(short_reason("B is 41.5 % darker"), "B is 41.5 % darker");
@@ -19,4 +21,15 @@ TEST(ShortReason, IsCutBetweenWords) {
   const auto text = short_reason(words);
   EXPECT_LE(text.size(), 104U);
   EXPECT_TRUE(text.ends_with("seven77 ...")) << text;
+}
+
+// A line of 400 characters hid which check was new.
+TEST(ShortReason, OfANewFailureTheNewsStaysWhole) {
+  const std::string news =
+      "it fails by window_error_16px, which is not among the failed checks of c.json:246";
+  const std::string reasons = "R is darker (0.8 to 1 %), at most 0.7 % is allowed; G is darker";
+  EXPECT_EQ(line_reason(Verdict::Fail, Expectation::News, news + "; " + reasons),
+            news + "; R is darker, at most 0.7 % is allowed ...");
+  EXPECT_EQ(line_reason(Verdict::Fail, Expectation::News, news), news);
+  EXPECT_EQ(line_reason(Verdict::Crash, Expectation::None, reasons), reasons);
 }

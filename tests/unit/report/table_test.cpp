@@ -126,6 +126,33 @@ TEST(Table, ATargetThatFailsForSeveralRequirementsIsToldOnce) {
       << summary_text(run, {});
 }
 
+// POV-Ray's 24 known failures had 63 remarks and a column of 200 characters.
+TEST(Table, WithoutVerboseManyNamesAndTheRemarksOfFailuresAreShort) {
+  auto run = small_run();
+  run.targets[2].remarks = {"bias: the means differ", "bias: the image is turned"};
+  run.targets[2].diagnosis = kNoUsualFault;
+  run.targets[2].expectation = Expectation::Known;
+  for (const char* name : {"103", "110", "113"}) {
+    run.targets.push_back(run.targets[0]);
+    run.targets.back().target = name;
+  }
+  run.targets.push_back(run.targets[2]);
+  run.targets.back().target = "201";
+  run.targets.back().verdict = Verdict::PassWithRemarks;
+  run.targets.back().expectation = Expectation::None;
+  run.targets.back().remarks = {"bias: beside edges"};
+  const auto text = summary_text(run, {false, 0, false});
+  EXPECT_NE(text.find("101, 102, 103 and 2 more  bb does not declare M2"), std::string::npos) << text;
+  EXPECT_NE(text.find("of targets that do not pass: 2, which -v prints"), std::string::npos) << text;
+  EXPECT_NE(text.find("bias: beside edges"), std::string::npos) << text;
+  EXPECT_EQ(text.find("bias: the means differ"), std::string::npos) << text;
+  EXPECT_EQ(text.find("diagnosis    bb  101"), std::string::npos) << text;
+  const auto whole = summary_text(run, {});
+  EXPECT_NE(whole.find("101, 102, 103, 110, 113"), std::string::npos) << whole;
+  EXPECT_NE(whole.find("bias: the means differ"), std::string::npos) << whole;
+  EXPECT_NE(whole.find("diagnosis  bb"), std::string::npos) << whole;
+}
+
 TEST(Table, IsNoWiderThanTheTerminal) {
   auto run = small_run();
   run.targets[2].reason =
@@ -159,6 +186,10 @@ TEST(Table, OfAForeignRendererThatIsFarOffTheHintIsToProbe) {
   EXPECT_TRUE(is_silent());
   run.renderers[1].version = "";
   bad.verdict = Verdict::Pass;
+  EXPECT_TRUE(is_silent());
+  bad.verdict = Verdict::Fail;
+  EXPECT_FALSE(is_silent());
+  bad.expectation = Expectation::Known;
   EXPECT_TRUE(is_silent());
 }
 

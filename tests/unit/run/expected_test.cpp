@@ -72,6 +72,23 @@ TEST(ExpectedVerdicts, AFailureLikeTheRecordedOneIsKnown) {
   EXPECT_EQ(expectation_of(failed(20, false), fails_by_psnr()), Expectation::News);
 }
 
+// A run with a smaller budget took fewer samples.
+TEST(ExpectedVerdicts, AFailureThatNoiseLeavesOpenIsKnown) {
+  auto target = failed(20, false);
+  target.verdict = Verdict::Inconclusive;
+  target.checks[0].decided = false;
+  EXPECT_EQ(expectation_of(target, fails_by_psnr()), Expectation::Known);
+  target = off_by(-0.02, 0.015);
+  target.verdict = Verdict::Inconclusive;
+  target.checks[0].decided = false;
+  EXPECT_EQ(expectation_of(target, fails_by_light(-0.015)), Expectation::Known);
+  EXPECT_EQ(expectation_of(target, fails_by_light(0.015)), Expectation::News) << "it is on the other side";
+  auto entry = fails_by_light(-0.015);
+  entry.verdict = "inconclusive";
+  target.verdict = Verdict::Fail;
+  EXPECT_EQ(expectation_of(target, entry), Expectation::News);
+}
+
 // The radiosity of POV-Ray depends on which thread comes first.
 TEST(ExpectedVerdicts, ToleranceIsForRenderersOfWhichTwoRunsDiffer) {
   auto entry = fails_by_psnr();

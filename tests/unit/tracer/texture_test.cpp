@@ -17,3 +17,17 @@ TEST(TracerTexture, CoordinatesThatAreNoNumberHaveNoTexel) {
     for (const float far : {3e38F, -3e38F}) EXPECT_EQ(tracer::lookup(grid, {far, far}).x, 1);
   }
 }
+
+// Floats of 10^9 are 64 apart.
+TEST(TracerTexture, WholePeriodsOfAMatrixLeaveTheFraction) {
+  const scene::Texture repeats{"", "", scene::Wrap::Repeat, scene::Wrap::Repeat};
+  const scene::Texture ends{"", "", scene::Wrap::Clamp, scene::Wrap::Clamp};
+  const auto moved = [](const scene::Texture& texture, double u, double v) {
+    Mat4 matrix;
+    matrix(0, 3) = u;
+    matrix(1, 3) = v;
+    return tracer::apply(tracer::uv_map(matrix, texture), {});
+  };
+  EXPECT_EQ(moved(repeats, 1e9 + 0.25, -1e9 - 0.25), (Vec2f{0.25F, 0.75F}));
+  EXPECT_EQ(moved(ends, 1e9, -1e9), (Vec2f{1e9F, -1e9F}));
+}

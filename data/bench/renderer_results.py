@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+"""Makes docs/reports/renderers-1-4.csv of runs: verdicts, PSNR and CPU time of each renderer.
+
+    python3 data/bench/renderer_results.py outputs-A/results.json [...] > docs/reports/renderers-1-4.csv
+
+All runs must be of one suite and size. A failure that is known is a failure here."""
+
+import csv
+import json
+import sys
+
+
+def worst_verdict(run, renderer, requirement):
+    """Of all images of a requirement, whatever is expected of them."""
+    verdicts = {target["verdict"] for target in run["targets"]
+                if target["renderer"] == renderer and target["requirement"] == requirement}
+    others = verdicts - {"pass", "pass with remarks", "unsupported", "inconclusive"}
+    return next((verdict for verdict in [*sorted(others), "inconclusive", "unsupported"] if verdict in verdicts), "pass")
+
+
+def rows_of(run):
+    for renderer in run["renderers"]:
+        for requirement in run["requirements"]:
+            cell = requirement["renderers"].get(renderer["name"])
+            if cell is None:
+                continue
+            decibels = cell.get("lowest_psnr_db")
+            yield [renderer["name"], renderer["version"], f'{renderer["cpu_seconds"]:.0f}', renderer["measured"],
+                   requirement["code"], requirement["title"],
+                   worst_verdict(run, renderer["name"], requirement["code"]), "" if decibels is None else f"{decibels:.1f}"]
+
+
+def main(files):
+    runs = []
+    for file in files:
+        with open(file, encoding="utf-8") as text:
+            runs.append(json.load(text))
+    for file, run in zip(files, runs):
+        if (run["suite"], run["size"]) != (runs[0]["suite"], runs[0]["size"]):
+            sys.exit(f"{file}: is of suite {run['suite']} at size {run['size']}; "
+                     f"expected {runs[0]['suite']} at {runs[0]['size']}")
+    out = csv.writer(sys.stdout, lineterminator="\n")
+    out.writerow(["renderer", "version", "cpu_seconds", "measured", "requirement", "title", "verdict", "psnr_db"])
+    for run in runs:
+        out.writerows(rows_of(run))
+
+
+main(sys.argv[1:])
