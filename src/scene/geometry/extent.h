@@ -8,7 +8,7 @@ namespace orbs::scene {
 struct Extent {
   Vec3d centre;  // the camera's position, or the middle of what is drawn for a distant camera
   double radius_m = 0;
-  bool camera_is_distant = false;
+  bool camera_is_distant = false;  // wherever it is within the frame
 };
 
 Extent extent_of(const Scene& scene);
