@@ -70,9 +70,8 @@ std::string summaries(const StabilityRecord& record) {
   return text;
 }
 
-// Wide enough for the pixels of a small image to be seen.
-std::string picture(const std::string& folder, const char* name) {
-  return folder.empty() ? "" : fmt::format("<img src=\"{}/{}\" width=\"96\" alt=\"\">", folder, name);
+std::string picture(const std::string& folder, const char* name, const char* what) {
+  return folder.empty() ? "" : fmt::format("![{}]({}/{})", what, folder, name);
 }
 
 std::vector<TableRow> break_rows(const StabilityRecord& record, bool with_pictures) {
@@ -86,8 +85,9 @@ std::vector<TableRow> break_rows(const StabilityRecord& record, bool with_pictur
                     relation.is_sweep ? magnitude_text(first.magnitude, relation.unit) : "", first.scene,
                     first.reason});
     if (with_pictures)
-      for (const auto* name : {results::kOriginalImage, results::kChangedImage, results::kDifferenceImage})
-        rows.back().push_back(picture(first.images, name));
+      rows.back().insert(rows.back().end(), {picture(first.images, results::kOriginalImage, "original"),
+                                             picture(first.images, results::kChangedImage, "changed"),
+                                             picture(first.images, results::kDifferenceImage, "difference")});
   }
   return rows;
 }
