@@ -54,7 +54,7 @@ void check_setting(const registry::Renderer& renderer, const SceneSetting& setti
                                  setting.is_whole ? "whole number" : "number", kHighest));
 }
 
-scene::Scene with_origin_near_camera(scene::Scene scene) {
+scene::Scene with_origin_near_camera(const scene::Scene& scene) {
   const Vec3d origin = scene::origin_near(scene::extent_of(scene));
   return origin == Vec3d{} ? scene : scene::moved(scene, translation(Vec3d{} - origin));
 }
@@ -104,8 +104,7 @@ std::variant<scene::Scene, std::string> prepare_scene(const registry::Renderer& 
   check_scene_format(renderer);
   if (exporter == nullptr) return "it reads hand-written scenes only";
   auto prepared = std::get<scene::Scene>(std::move(lowered));
-  if (moves_origin(*exporter, renderer.format.settings))
-    prepared = with_origin_near_camera(std::move(prepared));
+  if (moves_origin(*exporter, renderer.format.settings)) prepared = with_origin_near_camera(prepared);
   const auto limits = exporter->limits(prepared, renderer.format.settings);
   if (!limits.empty()) return limits.front();
   return prepared;

@@ -128,9 +128,9 @@ std::vector<WorldBounds> rough_instance_bounds(const Scene& scene) {
     of_meshes.push_back(world_bounds(scene, {"", static_cast<int>(mesh), Mat4{}, {}}));
   std::vector<WorldBounds> bounds;
   for (const auto& instance : scene.instances) {
-    const auto& [low, high] = nth(of_meshes, instance.mesh);
+    const auto& box = nth(of_meshes, instance.mesh);
     const auto placed = [&](const Mat4& matrix) {
-      return around(matrix * translation((low + high) * 0.5), (high - low) * 0.5);
+      return around(matrix * translation((box.low + box.high) * 0.5), (box.high - box.low) * 0.5);
     };
     bounds.push_back(placed(instance.matrix));
     if (instance.end_matrix) bounds.back() = joined(bounds.back(), placed(*instance.end_matrix));
