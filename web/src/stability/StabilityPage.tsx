@@ -115,6 +115,21 @@ function Pictures({
   );
 }
 
+/** One step: what came of it, and its numbers where images were compared. */
+function StepRow({ step, scene, unit }: { step: StabilityStep; scene: string; unit: string }) {
+  return (
+    <tr>
+      <td>{scene}</td>
+      <td class="number">{magnitudeText(step.magnitude, unit)}</td>
+      <td>{stepText(step)}</td>
+      <td class="number">{hasImages(step) ? percentText(step.mean, step.mean_error) : ""}</td>
+      <td class="number">{hasImages(step) ? percentText(step.block, step.block_error) : ""}</td>
+      <td class="number">{hasImages(step) ? percentText(step.pixels, 0).replace("+", "") : ""}</td>
+      <td class="quiet">{step.reason}</td>
+    </tr>
+  );
+}
+
 /** All steps of one relation by one renderer, and the images that were kept. */
 function Steps({ source, run, study, chosen }: Omit<Props, "route"> & { chosen: string }) {
   const [name, renderer] = chosen.split("/");
@@ -155,21 +170,12 @@ function Steps({ source, run, study, chosen }: Omit<Props, "route"> & { chosen: 
         </thead>
         <tbody>
           {steps.map((step) => (
-            <tr key={`${step.scene} ${step.magnitude}`}>
-              <td>{study.scenes[step.scene]?.name}</td>
-              <td class="number">{magnitudeText(step.magnitude, relation.unit)}</td>
-              <td>{stepText(step)}</td>
-              <td class="number">
-                {hasImages(step) ? percentText(step.mean, step.mean_error) : ""}
-              </td>
-              <td class="number">
-                {hasImages(step) ? percentText(step.block, step.block_error) : ""}
-              </td>
-              <td class="number">
-                {hasImages(step) ? percentText(step.pixels, 0).replace("+", "") : ""}
-              </td>
-              <td class="quiet">{step.reason}</td>
-            </tr>
+            <StepRow
+              key={`${step.scene} ${step.magnitude}`}
+              step={step}
+              scene={study.scenes[step.scene]?.name ?? ""}
+              unit={relation.unit}
+            />
           ))}
         </tbody>
       </table>
