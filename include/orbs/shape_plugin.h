@@ -96,11 +96,18 @@ ORBS_SHAPE_PLUGIN_API int orbs_shape_intersect(const orbs_shape* shape,
 ORBS_SHAPE_PLUGIN_API int orbs_shape_occluded(const orbs_shape* shape, const orbs_shape_ray* ray);
 
 /* Optional. A point of the surface for two random numbers in [0, 1): 1, or 0 if the shape cannot be sampled.
- * orbs-tracer of this version does not call it: it finds the light of glowing shapes by sampling BSDFs. It is
- * here so that a plug-in can be written that later versions, and other renderers, may sample as a light. */
+ * Every point of the surface must be possible, up to its edges. A glowing shape is sampled as a lamp where
+ * the plug-in has this function and the next one, and its emission has no texture. Its light is found by
+ * sampling BSDFs alone otherwise, which is right, too, and noisier. */
 ORBS_SHAPE_PLUGIN_API int orbs_shape_sample(const orbs_shape* shape,
                                             const double random[2],
                                             orbs_shape_sample_point* point);
+
+/* Optional. For a point of the surface, which may be off it by rounding: `point` as orbs_shape_sample gives
+ * it when it chooses this point. */
+ORBS_SHAPE_PLUGIN_API void orbs_shape_pdf(const orbs_shape* shape,
+                                          const double position[3],
+                                          orbs_shape_sample_point* point);
 
 #if defined(__cplusplus)
 }

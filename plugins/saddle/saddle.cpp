@@ -113,3 +113,25 @@ int orbs_shape_intersect(const orbs_shape* shape, const orbs_shape_ray* ray, orb
 int orbs_shape_occluded(const orbs_shape* shape, const orbs_shape_ray* ray) {
   return std::isfinite(nearest(*shape, *ray)) ? 1 : 0;
 }
+
+// Uniform over the square that the surface lies over. An area of the surface is larger than that below it by
+// the length of the normal (-2 k x, 2 k y, 1).
+void orbs_shape_pdf(const orbs_shape* shape, const double position[3], orbs_shape_sample_point* point) {
+  const double x = position[0];
+  const double y = position[1];
+  point->position[0] = x;
+  point->position[1] = y;
+  point->position[2] = shape->k * (x - y) * (x + y);
+  point->normal[0] = -2 * shape->k * x;
+  point->normal[1] = 2 * shape->k * y;
+  point->normal[2] = 1;
+  const double slope = 2 * shape->k * std::hypot(x, y);
+  point->pdf = 1 / (4 * shape->half_size * shape->half_size * std::hypot(1, slope));
+}
+
+int orbs_shape_sample(const orbs_shape* shape, const double random[2], orbs_shape_sample_point* point) {
+  const std::array<double, 3> position{(2 * random[0] - 1) * shape->half_size,
+                                       (2 * random[1] - 1) * shape->half_size, 0};
+  orbs_shape_pdf(shape, position.data(), point);
+  return 1;
+}

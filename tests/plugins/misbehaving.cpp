@@ -27,6 +27,9 @@ enum Fault {
   kTurnedBounds,
   kNoShape,
   kExit,
+  kSampleOutside,
+  kSampleWithoutDensity,
+  kTwoDensities,
 };
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -87,5 +90,16 @@ int orbs_shape_intersect(const orbs_shape* shape, const orbs_shape_ray* ray, orb
     default:
       break;
   }
+  return 1;
+}
+
+void orbs_shape_pdf(const orbs_shape* shape, const double position[3], orbs_shape_sample_point* point) {
+  *point = {{position[0], 0, position[2]}, {0, 1, 0}, shape->fault == kTwoDensities ? 0.5 : 0.25};
+}
+
+int orbs_shape_sample(const orbs_shape* shape, const double random[2], orbs_shape_sample_point* point) {
+  *point = {{2 * random[0] - 1, 0, 2 * random[1] - 1}, {0, 1, 0}, 0.25};
+  if (shape->fault == kSampleOutside) point->position[1] = 1;
+  if (shape->fault == kSampleWithoutDensity) point->pdf = 0;
   return 1;
 }

@@ -13,9 +13,24 @@ EmittingPoint point_on(const World& world,
                        std::size_t emitter,
                        const std::array<float, 4>& at,
                        const std::array<float, 4>& choice) {
+  if (const PluginShape* shape = plugin_emitter(world, emitter))
+    return point_on(*shape, at[0], at[1], choice[2]);
   if (emitter >= world.emitters.light_count())
     return point_on(world.emitters.triangle(emitter), at[0], at[1], choice[2]);
   return point_on(world.lights[emitter].shape, at[0], at[1]);
+}
+
+// Per m^2, as point_on; of surfaces that shine to both sides, for each side.
+float emitted_pdf_area(const World& world, std::size_t emitter, Vec3f position) {
+  if (emitter < world.emitters.light_count()) return pdf_area(world.lights[emitter].shape, position);
+  if (const PluginShape* shape = plugin_emitter(world, emitter)) return pdf_area(*shape, position);
+  return 0.5F / world.emitters.triangle(emitter).area;
+}
+
+Vec3f emitter_normal(const World& world, std::size_t emitter, Vec3f position) {
+  if (emitter < world.emitters.light_count()) return normal_of(world.lights[emitter].shape, position);
+  if (const PluginShape* shape = plugin_emitter(world, emitter)) return normal_of(*shape, position);
+  return world.emitters.triangle(emitter).normal;
 }
 
 EmittedRay emitted_ray(std::size_t emitter, const EmittingPoint& from, Vec3f direction, float weight) {
@@ -78,13 +93,11 @@ EmittedRay emit_towards_use(const World& world,
 }
 
 float emission_pdf(const World& world, std::size_t emitter, Vec3f position, Vec3f target) {
-  const bool is_light = emitter < world.emitters.light_count();
-  const float pdf = is_light ? pdf_area(world.lights[emitter].shape, position)
-                             : 0.5F / world.emitters.triangle(emitter).area;  // each of its sides
+  const float pdf = emitted_pdf_area(world, emitter, position);
   if (world.light_guides.empty()) return pdf * world.emitters.probability(emitter);
   const Vec3f to_target = target - position;
-  Vec3f normal =
-      is_light ? normal_of(world.lights[emitter].shape, position) : world.emitters.triangle(emitter).normal;
+  const bool is_light = emitter < world.emitters.light_count();
+  Vec3f normal = emitter_normal(world, emitter, position);
   if (!is_light && dot(normal, to_target) < 0) normal = -normal;
   return start_pdf(world, {emitter, position, normal, pdf, normalised(to_target)}, nullptr);
 }
@@ -92,6 +105,7 @@ float emission_pdf(const World& world, std::size_t emitter, Vec3f position, Vec3
 Radiance emitted_towards(const World& world, const EmittedRay& emitted, Vec3f target) {
   if (emitted.emitter < world.emitters.light_count())
     return radiance_towards(world.lights[emitted.emitter], emitted.position, target);
+  if (const PluginShape* shape = plugin_emitter(world, emitted.emitter)) return radiance_of(world, *shape);
   const TriangleEmitter& triangle = world.emitters.triangle(emitted.emitter);
   return emitted_radiance(world, emission_of(world, triangle), emitted.texture_uv);
 }

@@ -45,6 +45,8 @@ float light_pdf(const World& world, const LightSampleContext& at, std::size_t em
   const float selection = selection_probability(world, at, emitter);
   if (emitter < world.emitters.light_count())
     return selection * pdf_towards(world.lights[emitter].shape, at.position, position);
+  if (const PluginShape* shape = plugin_emitter(world, emitter))
+    return selection * pdf_towards(*shape, at.position, position);
   const TriangleEmitter& triangle = world.emitters.triangle(emitter);
   const Vec3f d = position - at.position;
   const float distance2 = dot(d, d);
@@ -66,6 +68,9 @@ std::optional<LightSample> sample_light(
     const AreaLight& light = world.lights[chosen];
     point = sample_towards(light.shape, from, u, v);
     if (point) radiance = radiance_towards(light, point->position, from);
+  } else if (const PluginShape* shape = plugin_emitter(world, chosen)) {
+    point = sample_towards(*shape, from, u, v);
+    if (point) radiance = radiance_of(world, *shape);
   } else {
     const TriangleEmitter& triangle = world.emitters.triangle(chosen);
     Vec2f uv;
@@ -103,10 +108,15 @@ EmissionHit emission_at_surface(const World& world,
                                 const LightSampleContext& sampled_from) {
   const Radiance radiance =
       emitted_radiance(world, material, apply(material.radiance.uv, texture_coordinates(world, surface)));
-  // Of emissive surfaces, only triangles are in the table of emitters.
+  // Spheres and shapes by formulas are not in the table of emitters.
   const int found = emitter_of(world, surface.hit.object, surface.hit.primitive);
   if (found < 0) return {.radiance = radiance};
   const auto emitter = static_cast<std::size_t>(found);
+  if (plugin_emitter(world, emitter) != nullptr) {
+    const Vec3f position = surface.point.position;
+    return {radiance, light_pdf(world, sampled_from, emitter, position), true,
+            emission_pdf_if_connected(world, emitter, position, sampled_from.position)};
+  }
   const Vec3f d = surface.point.position - sampled_from.position;
   const float cosine = std::abs(dot(surface.point.geometric_normal, ray.direction));
   const float pdf_area =

@@ -13,7 +13,8 @@ namespace orbs::tracer {
 struct EmissionHit {
   Radiance radiance;
   float light_pdf = 0;
-  bool is_light_sampled = false;  // by light sampling and light paths; false for emissive spheres
+  bool is_light_sampled =
+      false;  // by light sampling and light paths; false for spheres and shapes by formulas
   /// Density with which light paths start there (light_emission.h); 0 if camera paths connect to none.
   float emission_pdf = 0;
 };

@@ -6,10 +6,10 @@
 namespace orbs::tracer {
 
 void EmitterTable::build(const std::vector<float>& powers,
-                         std::vector<TriangleEmitter> triangles,
+                         SurfaceEmitters surfaces,
                          std::size_t light_count) {
   light_count_ = light_count;
-  triangles_ = std::move(triangles);
+  surfaces_ = std::move(surfaces);
   const double total = std::accumulate(powers.begin(), powers.end(), 0.0);
   probability_.clear();
   if (total <= 0) return;

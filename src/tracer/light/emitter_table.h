@@ -1,20 +1,25 @@
 #pragma once
 
 #include "tracer/light/emitter.h"
+#include "tracer/plugins/plugin_emitter.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace orbs::tracer {
 
-/// All emitters: area lights first, then emissive triangles. Each is selected with probability proportional
-/// to its power.
+/// What of the table is no light, in the order of its indices behind these.
+struct SurfaceEmitters {
+  std::vector<TriangleEmitter> triangles;
+  std::vector<PluginEmitter> plugin_shapes;
+};
+
+/// All emitters: area lights first, then emissive triangles, then glowing shapes of plug-ins. Each is
+/// selected with probability proportional to its power.
 class EmitterTable {
  public:
-  /// One power per emitter; `triangles` are the emitters behind the first `light_count`.
-  void build(const std::vector<float>& powers,
-             std::vector<TriangleEmitter> triangles,
-             std::size_t light_count);
+  /// One power per emitter; `surfaces` are the emitters behind the first `light_count`.
+  void build(const std::vector<float>& powers, SurfaceEmitters surfaces, std::size_t light_count);
   bool empty() const { return probability_.empty(); }
   std::size_t size() const { return probability_.size(); }
   std::size_t light_count() const { return light_count_; }
@@ -23,11 +28,18 @@ class EmitterTable {
   std::size_t pick(double u) const;
   /// Selection probability; zero if no emitter has power, as with spectra outside the visible range.
   float probability(std::size_t emitter) const { return probability_.empty() ? 0 : probability_[emitter]; }
-  const TriangleEmitter& triangle(std::size_t emitter) const { return triangles_[emitter - light_count_]; }
+  const TriangleEmitter& triangle(std::size_t emitter) const {
+    return surfaces_.triangles[emitter - light_count_];
+  }
+  /// The glowing shape of a plug-in; nullptr if the emitter is another.
+  const PluginEmitter* plugin_shape(std::size_t emitter) const {
+    const std::size_t first = light_count_ + surfaces_.triangles.size();
+    return emitter < first ? nullptr : &surfaces_.plugin_shapes[emitter - first];
+  }
 
  private:
   std::size_t light_count_ = 0;
-  std::vector<TriangleEmitter> triangles_;
+  SurfaceEmitters surfaces_;
   std::vector<float> probability_;
   std::vector<double> keep_;
   std::vector<std::uint32_t> alias_;

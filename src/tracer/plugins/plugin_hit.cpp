@@ -18,21 +18,12 @@ orbs_shape_ray local_ray(const PluginShape& shape, const PluginRay& ray) {
   return {{o.x, o.y, o.z}, {d.x, d.y, d.z}, ray.t_min, ray.t_max};
 }
 
-// Within the bounds, up to a millionth of their size and the rounding of the point: 2^-50 of its two terms.
-bool is_within(const PluginShape& shape, const orbs_shape_ray& ray, double t) {
+// The point of a ray is rounded by 2^-50 of its two terms.
+bool is_within_bounds(const PluginShape& shape, const orbs_shape_ray& ray, double t) {
   const Vec3d o{ray.origin[0], ray.origin[1], ray.origin[2]};
   const Vec3d d{ray.direction[0], ray.direction[1], ray.direction[2]};
-  const double size = std::max(largest_magnitude(shape.local_low), largest_magnitude(shape.local_high));
-  const double room = 1e-6 * size + 0x1p-50 * (largest_magnitude(o) + t * largest_magnitude(d));
-  const Vec3d p = point_at(ray, t);
-  const auto lies = [&](double x, double low, double high) { return x >= low - room && x <= high + room; };
-  return lies(p.x, shape.local_low.x, shape.local_high.x) &&
-         lies(p.y, shape.local_low.y, shape.local_high.y) && lies(p.z, shape.local_low.z, shape.local_high.z);
-}
-
-bool has_direction(Vec3d v) {
-  const double squared = dot(v, v);
-  return std::isfinite(squared) && squared > 0;
+  return is_within_bounds(shape, point_at(ray, t),
+                          0x1p-50 * (largest_magnitude(o) + t * largest_magnitude(d)));
 }
 
 UserRay user_ray(const Ray& ray) { return {ray.origin, ray.direction, ray.nearest, ray.reach}; }
@@ -42,6 +33,20 @@ PluginRay plugin_ray(const UserRay& ray) {
 }
 
 }  // namespace
+
+bool has_direction(Vec3d v) {
+  const double squared = dot(v, v);
+  return std::isfinite(squared) && squared > 0;
+}
+
+bool is_within_bounds(const PluginShape& shape, Vec3d place, double rounding_m) {
+  const double size = std::max(largest_magnitude(shape.local_low), largest_magnitude(shape.local_high));
+  const double room = 1e-6 * size + rounding_m;
+  const auto lies = [&](double x, double low, double high) { return x >= low - room && x <= high + room; };
+  return lies(place.x, shape.local_low.x, shape.local_high.x) &&
+         lies(place.y, shape.local_low.y, shape.local_high.y) &&
+         lies(place.z, shape.local_low.z, shape.local_high.z);
+}
 
 std::optional<PluginHit> intersect(const PluginShape& shape, const PluginRay& ray) {
   const orbs_shape_ray local = local_ray(shape, ray);
@@ -58,7 +63,7 @@ std::optional<PluginHit> intersect(const PluginShape& shape, const PluginRay& ra
   const Vec3d placed = transform_normal(shape.to_local, normalised(normal));
   if (!has_direction(placed)) return faulty(shape.faults->normal);
   if (!std::isfinite(hit.uv[0]) || !std::isfinite(hit.uv[1])) return faulty(shape.faults->uv);
-  if (!is_within(shape, local, hit.t)) return faulty(shape.faults->place);
+  if (!is_within_bounds(shape, local, hit.t)) return faulty(shape.faults->place);
   return PluginHit{hit.t, normalised(placed), {hit.uv[0], hit.uv[1]}};
 }
 

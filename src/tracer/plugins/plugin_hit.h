@@ -23,6 +23,13 @@ struct PluginRay {
   double t_max = 0;
 };
 
+/// Whether a vector has a direction: it is finite and not zero.
+bool has_direction(Vec3d v);
+
+/// Whether a place in the shape's own space lies within its bounds, up to a millionth of their size and
+/// `rounding_m`.
+bool is_within_bounds(const PluginShape& shape, Vec3d place, double rounding_m = 0);
+
 /// The nearest point with t_min < t < t_max. Nothing where the plug-in has none, or breaks its rules, which
 /// is counted.
 std::optional<PluginHit> intersect(const PluginShape& shape, const PluginRay& ray);

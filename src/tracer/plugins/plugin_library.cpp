@@ -129,6 +129,8 @@ std::shared_ptr<const PluginLibrary> open_plugin(const fs::path& file) {
   require(*library, "orbs_shape_intersect", library->intersect);
   library->occluded =
       find_function<decltype(&orbs_shape_occluded)>(library->handle.get(), "orbs_shape_occluded");
+  library->sample = find_function<decltype(&orbs_shape_sample)>(library->handle.get(), "orbs_shape_sample");
+  library->pdf = find_function<decltype(&orbs_shape_pdf)>(library->handle.get(), "orbs_shape_pdf");
   return library;
 }
 

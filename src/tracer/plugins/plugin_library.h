@@ -27,6 +27,8 @@ struct PluginLibrary {
   decltype(&orbs_shape_bounds) bounds = nullptr;
   decltype(&orbs_shape_intersect) intersect = nullptr;
   decltype(&orbs_shape_occluded) occluded = nullptr;  // optional
+  decltype(&orbs_shape_sample) sample = nullptr;      // optional
+  decltype(&orbs_shape_pdf) pdf = nullptr;            // optional
 };
 
 /// By the name that scenes call them by.

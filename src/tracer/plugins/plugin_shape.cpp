@@ -94,6 +94,7 @@ PluginFaultTotals plugin_faults(const std::vector<PluginShape>& shapes) {
       Kind{&PluginFaults::normal, "normals without a direction"},
       Kind{&PluginFaults::uv, "texture coordinates that are no numbers"},
       Kind{&PluginFaults::place, "points outside of the bounds"},
+      Kind{&PluginFaults::sample, "random points outside of the bounds or without normal or density"},
       Kind{&PluginFaults::change, "answers that change when the same ray asks again"}};
   PluginFaultTotals totals;
   for (const auto& shape : shapes)

@@ -20,7 +20,8 @@ struct PluginFaults {
   std::atomic<std::uint64_t> normal{0};    // of length zero, or no numbers
   std::atomic<std::uint64_t> uv{0};        // no numbers
   std::atomic<std::uint64_t> place{0};     // outside of the bounds
-  std::atomic<std::uint64_t> change{0};    // the same ray got another answer later
+  std::atomic<std::uint64_t> sample{0};  // a random point outside of the bounds, or without normal or density
+  std::atomic<std::uint64_t> change{0};  // the same ray got another answer later
 };
 
 /// A shape of the scene that a plug-in has made.

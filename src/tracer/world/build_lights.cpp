@@ -87,6 +87,22 @@ void add_emissive_triangles(const World& world,
   }
 }
 
+// Of one radiance only: a random point has no texture coordinates.
+void add_glowing_plugin_shape(const World& world,
+                              RenderObject& object,
+                              std::vector<float>& powers,
+                              std::vector<PluginEmitter>& out) {
+  const PluginShape& shape = world.plugin_shapes[object.plugin_shape];
+  const auto* emission = std::get_if<EmissionMaterial>(&nth(world.materials, shape.material).model);
+  if (emission == nullptr || emission->radiance.texture >= 0 || !can_be_sampled(shape)) return;
+  const float area = sampled_area(shape);
+  const float power = area * mean_brightness(world, *emission);
+  if (!(power > 0)) return;
+  object.emitters = {static_cast<int>(powers.size())};
+  powers.push_back(power);
+  out.push_back({object.plugin_shape, area});
+}
+
 }  // namespace
 
 void add_lights(const scene::Scene& scene,
@@ -106,19 +122,26 @@ void add_lights(const scene::Scene& scene,
 
 void build_emitters(World& world, LightSelection selection) {
   std::vector<float> powers;
-  std::vector<TriangleEmitter> triangles;
+  SurfaceEmitters surfaces;
   for (const AreaLight& light : world.lights) powers.push_back(power_of(world, light));
   std::vector<EmitterGroup> groups;
   for (std::size_t i = 0; i < world.lights.size(); ++i) groups.push_back({i, 1});
   for (RenderObject& object : world.objects) {
     if (object.kind != ObjectKind::WorldMesh && object.kind != ObjectKind::InstancedMesh) continue;
     const std::size_t first = powers.size();
-    add_emissive_triangles(world, object, powers, triangles);
+    add_emissive_triangles(world, object, powers, surfaces.triangles);
     if (powers.size() > first) groups.push_back({first, powers.size() - first});
   }
-  if (selection == LightSelection::Bvh)
-    world.light_bvh = LightBvh(bounds_of(world.lights, triangles, powers), groups);
-  world.emitters.build(powers, std::move(triangles), world.lights.size());
+  auto bounds = bounds_of(world.lights, surfaces.triangles, powers);
+  for (RenderObject& object : world.objects) {
+    if (object.kind != ObjectKind::PluginShape) continue;
+    add_glowing_plugin_shape(world, object, powers, surfaces.plugin_shapes);
+    if (object.emitters.empty()) continue;
+    groups.push_back({powers.size() - 1, 1});
+    bounds.push_back(light_bounds_of(world.plugin_shapes[object.plugin_shape], powers.back()));
+  }
+  if (selection == LightSelection::Bvh) world.light_bvh = LightBvh(bounds, groups);
+  world.emitters.build(powers, std::move(surfaces), world.lights.size());
 }
 
 }  // namespace orbs::tracer

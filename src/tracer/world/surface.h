@@ -42,6 +42,17 @@ inline const EmissionMaterial& emission_of(const World& world, const TriangleEmi
   return std::get<EmissionMaterial>(nth(world.materials, triangle.material).model);
 }
 
+/// The shape of a plug-in that is this emitter; nullptr if it is another.
+inline const PluginShape* plugin_emitter(const World& world, std::size_t emitter) {
+  const PluginEmitter* found = world.emitters.plugin_shape(emitter);
+  return found == nullptr ? nullptr : &world.plugin_shapes[found->shape];
+}
+
+/// Radiance of a shape of a plug-in in the table of emitters.
+inline Radiance radiance_of(const World& world, const PluginShape& shape) {
+  return emitted_radiance(world, std::get<EmissionMaterial>(nth(world.materials, shape.material).model), {});
+}
+
 /// Index of the mirror plane that contains the triangle of the object, or -1.
 inline int mirror_plane_of(const World& world, std::uint32_t object, std::uint32_t triangle) {
   const auto& planes = world.objects[object].mirror_planes;

@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "structure/source_files.h"
+#include "tracer/plugins/plugin_emitter.h"
 #include "tracer/plugins/plugin_hit.h"
 
 #include <cmath>
@@ -176,6 +177,23 @@ TEST(Plugins, AnswersThatBreakTheRulesAreMissesAndCounted) {
     EXPECT_EQ(tracer::plugin_faults(shapes).what, fmt::format("3 {} of 'misbehaving'", what)) << fault;
     EXPECT_EQ(tracer::plugin_faults(shapes).count, 3U) << fault;
   }
+}
+
+TEST(Plugins, RandomPointsThatBreakTheRulesAreNoneAndCounted) {
+  EXPECT_EQ(tracer::sampled_area(made("misbehaving")), 4);
+  for (const int fault : {14, 15}) {
+    std::vector<PluginShape> shapes;
+    shapes.push_back(made("misbehaving", {{"fault", fault}}));
+    EXPECT_FALSE(tracer::sampled_point(shapes[0], 0.5, 0.5)) << fault;
+    EXPECT_EQ(tracer::plugin_faults(shapes).what,
+              "1 random points outside of the bounds or without normal or density of 'misbehaving'");
+  }
+  expect_part(
+      complaint([] {
+        tracer::sampled_area(made("misbehaving", {{"fault", 16}}));
+      }),
+      "the plug-in 'misbehaving' gives a point of its shape two densities: that of orbs_shape_pdf is 2 "
+      "times that of orbs_shape_sample");
 }
 
 TEST(Plugins, AnAnswerThatChangesIsCountedAndItsNormalFacesTheRay) {
