@@ -57,9 +57,10 @@ void add_folder_options(const command_line::Command& command, StabilityOptions& 
           .not_empty("a folder");
   const auto show =
       command
-          .add_option("--show", options.show,
-                      "Print the tables of a study (its folder or stability.json) and render nothing; of "
-                      "several with the same scenes and settings, one table of all their renderers")
+          .add_option(
+              "--show", options.show,
+              "Print the tables of a study (its folder or stability.json) and render nothing; of "
+              "several with the same scenes and settings but samples, one table of all their renderers")
           .not_empty("a folder or a file");
   resume.excludes(output);
   show.excludes(output).excludes(resume);

@@ -71,6 +71,15 @@ void add(const StabilityRecord& record, const MagnitudeSweep& sweep, StabilityCe
                    step.images};
 }
 
+// Whether what the studies have measured is one thing. Samples per pixel may differ: not all renderers have
+// any, and a relation is one between two images of the same renderer.
+bool are_alike(const StabilityRecord& a, const StabilityRecord& b) {
+  auto settings = a.settings;
+  settings.spp = b.settings.spp;
+  return settings == b.settings && names_of(a.scenes) == names_of(b.scenes) &&
+         names_of(a.relations) == names_of(b.relations);
+}
+
 }  // namespace
 
 std::vector<StabilityCell> stability_cells(const StabilityRecord& record) {
@@ -103,8 +112,7 @@ StabilityRecord joined(const std::vector<StabilityRecord>& records) {
   for (std::size_t i = 1; i < records.size(); ++i) {
     const auto& more = records[i];
     const auto first = all.renderers.size();
-    if (names_of(more.scenes) != names_of(all.scenes) ||
-        names_of(more.relations) != names_of(all.relations) || !(more.settings == all.settings))
+    if (!are_alike(more, all))
       throw InputError(
           "the studies have other scenes, relations or settings, so that they are no one table; show them one by "
           "one");
@@ -113,6 +121,8 @@ StabilityRecord joined(const std::vector<StabilityRecord>& records) {
       if (std::find(known.begin(), known.end(), renderer.name) != known.end())
         throw InputError(fmt::format("renderer '{}' is in two of the studies", renderer.name));
       all.renderers.push_back(renderer);
+      if (more.settings.spp != all.settings.spp)
+        all.renderers.back().version += fmt::format(", with {} samples per pixel", more.settings.spp);
     }
     for (auto step : more.steps) {
       step.renderer += first;

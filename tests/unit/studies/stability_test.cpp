@@ -169,6 +169,9 @@ TEST(StabilityReport, ShowsSeveralStudiesAsOne) {
   EXPECT_EQ(stability_cells(both)[1].first_break.value().magnitude, 1000);
   EXPECT_THROW(joined({made_up(), made_up()}), InputError) << "the same renderer twice";
   other.settings.spp = 7;
+  EXPECT_EQ(joined({made_up(), other}).renderers[1].version,
+            other.renderers[0].version + ", with 7 samples per pixel");
+  other.settings.size_px = 7;
   EXPECT_THROW(joined({made_up(), other}), InputError);
 }
 
