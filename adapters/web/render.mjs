@@ -1,14 +1,16 @@
 // Runs in the browser, in page.html: renders a .glb file with the WebGPU path tracer of three-gpu-pathtracer.
 import { MathUtils, NoToneMapping, RenderTarget, Scene, WebGPURenderer } from "three/webgpu";
-import { uniform } from "three/tsl";
+import { uniform, wgslFn } from "three/tsl";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 import { rayStruct, wgslTagFn } from "three-mesh-bvh/webgpu";
 import { WebGPUPathTracer } from "three-gpu-pathtracer/src/webgpu/WebGPUPathTracer.js";
-import * as RANDOM_PCG from "three-gpu-pathtracer/src/webgpu/nodes/rand/pcg.wgsl.js";
+import { lightRecordStruct } from "three-gpu-pathtracer/src/webgpu/nodes/structs.wgsl.js";
+import { takeLamps } from "./lamps.mjs";
+import { bounce, randomNumbers } from "./random.mjs";
 
 // Russian roulette ends paths long before.
 const kUnlimitedDepth = 4096;
-// The first random sequence of a seed; those of its samples follow. Seeds that follow each other are far apart.
+// The number of the first path of a seed; the others follow. Seeds that follow each other are far apart.
 const kSeedStride = 0x9e3779b1;
 // Rays of each path before the GPU is asked how far it is.
 const kStepsAtOnce = 16;
@@ -63,14 +65,66 @@ async function startedRenderer() {
   return renderer;
 }
 
+// Rays begin off the surface, by up to 256 units in the last place of a coordinate, or by 2^-16 near 0.
+const nearOf = wgslFn(`
+  fn orbsNear( origin: vec3f, dist: f32 ) -> f32 {
+    let p = abs( origin );
+    return 0x1p-15f * max( max( max( p.x, p.y ), max( p.z, dist ) ), 0.5f );
+  }
+`);
+
+/** Lights are met before the meshes in their place: a shadow ray of the path tracer is as long as the way from the surface,
+ * from which its start is moved towards the light, so it would meet what is right behind, too. And none is sampled behind the
+ * last scattering: the path tracer does so at each surface that it meets, the last of which is there for meshes that
+ * shine. */
+function lightsInPlaceOfMeshes(tracer, depth) {
+  const lights = tracer._pathTracer.lightsInfo; // no public member sets it
+  const { randomLightSample, intersectLightAtIndex } = lights;
+  lights.randomLightSample = wgslTagFn`
+    fn randomLightSampleWithin( index: u32, origin: vec3f, ruv: vec2f ) -> ${lightRecordStruct} {
+      var light = ${randomLightSample}( index, origin, ruv );
+      light.dist -= ${nearOf}( origin, light.dist );
+      if ( ${bounce}() >= ${depth}u ) { light.pdf = 0.0; }
+      return light;
+    }
+  `;
+  lights.intersectLightAtIndex = wgslTagFn`
+    fn intersectLightFirst(
+      origin: vec3f, direction: vec3f, index: u32, light: ptr<function, ${lightRecordStruct}>,
+    ) -> bool {
+      if ( ! ${intersectLightAtIndex}( origin, direction, index, light ) ) { return false; }
+      ( *light ).dist -= ${nearOf}( origin, ( *light ).dist );
+      return true;
+    }
+  `;
+}
+
+/** The meshes of lamps shine for the camera alone: all other rays meet the lights in their place. */
+function lampsForTheCamera(tracer) {
+  const { fns } = tracer._bvhData;
+  // Read as a member, it would be whatever the member is when the shader is made.
+  const inner = Object.getOwnPropertyDescriptor(fns, "getSurfaceRecord").value;
+  fns.getSurfaceRecord = wgslTagFn`
+    fn surfaceRecordWithLamps(
+      material: Material, vertex: bvh_GeometryStruct, side: f32, faceNormal: vec3f, view: vec3f, blurRoughness: f32,
+    ) -> SurfaceRecord {
+      var surface = ${inner}( material, vertex, side, faceNormal, view, blurRoughness );
+      if ( material.castShadow == 0 && ${bounce}() > 0u ) { surface.emission = vec3f( 0.0 ); }
+      return surface;
+    }
+  `;
+}
+
 /** Nothing changes the mean: no clamp, no blurred reflections, no light but that of the file. */
 function pathTracer(renderer, { scene, camera, extras }, spp, seed) {
   const tracer = new WebGPUPathTracer(renderer);
-  tracer.setRandom(RANDOM_PCG); // white noise: the sequences of two seeds have nothing in common
+  const firstPath = Math.imul(seed, kSeedStride) >>> 0;
+  tracer.setRandom(randomNumbers(firstPath));
+  const depth = extras.trace_depth === "unlimited" ? kUnlimitedDepth : extras.trace_depth;
+  lightsInPlaceOfMeshes(tracer, depth);
   tracer.clampDirect = 0;
   tracer.clampIndirect = 0;
   tracer.filterGlossyFactor = 0;
-  const depth = extras.trace_depth === "unlimited" ? kUnlimitedDepth : extras.trace_depth;
   tracer.maxBounces = depth + 1; // it counts rays, the first of which comes from the camera
   tracer.maxSamples = spp;
   // No preview of fewer pixels comes first.
@@ -79,16 +133,30 @@ function pathTracer(renderer, { scene, camera, extras }, spp, seed) {
   tracer.minSamples = 0;
   tracer.synchronizeRenderSize = false;
   tracer.setScene(scene, camera);
+  lampsForTheCamera(tracer);
   tracer.setSize(extras.width, extras.height);
   tracer.stableNoise = false; // it would begin with the seed 0
-  tracer._pathTracer.seed = Math.imul(seed, kSeedStride) >>> 0; // no public member sets it
+  tracer._pathTracer.seed = firstPath - 1; // no public member sets it; it is raised by 1 before the first path
   return tracer;
+}
+
+/** WebGPU copies rows of a multiple of 256 bytes, which are 16 pixels. */
+function withoutPadding(rows, width, height) {
+  const floats = 4 * width;
+  const apart = 4 * 16 * Math.ceil(width / 16);
+  const pixels = new Float32Array(floats * height);
+  for (let y = 0; y < height; ++y)
+    pixels.set(rows.subarray(y * apart, y * apart + floats), y * floats);
+  return pixels;
 }
 
 /** Four floats of each pixel, from the top, and the seconds that rendering took. */
 globalThis.render = async ({ url, spp, seed, asIs }) => {
   const file = await loaded(url);
-  if (!asIs) withoutReflection(file.scene);
+  if (!asIs) {
+    withoutReflection(file.scene);
+    takeLamps(file.scene);
+  }
   raysWithoutPlanes(file.camera);
   const renderer = await startedRenderer();
   const tracer = pathTracer(renderer, file, spp, seed);
@@ -97,6 +165,6 @@ globalThis.render = async ({ url, spp, seed, asIs }) => {
     for (let step = 0; step < kStepsAtOnce; ++step) tracer.renderSample();
   const seconds = (performance.now() - begin) / 1000;
   const { width, height } = file.extras;
-  const pixels = await renderer.backend.copyTextureToBuffer(tracer.target, 0, 0, width, height, 0);
-  return { width, height, seconds, pixels };
+  const rows = await renderer.backend.copyTextureToBuffer(tracer.target, 0, 0, width, height, 0);
+  return { width, height, seconds, pixels: withoutPadding(rows, width, height) };
 };

@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
-"""Makes docs/reports/renderers-1-4.csv of runs: verdicts, PSNR and CPU time of each renderer.
+"""Makes docs/reports/renderers-1-4.csv and those beside it of runs: verdicts, PSNR and CPU time of each renderer.
 
     python3 data/bench/renderer_results.py outputs-A/results.json [...] > docs/reports/renderers-1-4.csv
+    python3 data/bench/renderer_results.py --no-times outputs-B/results.json > docs/reports/gltf-1-8.csv
 
-All runs must be of one suite and size. A failure that is known is a failure here."""
+All runs must be of one suite and size. A failure that is known is a failure here. Times are left out where the machine
+was not idle, or is none of those that the renderer is made for."""
 
+import argparse
 import csv
 import json
 import sys
@@ -18,19 +21,25 @@ def worst_verdict(run, renderer, requirement):
     return next((verdict for verdict in [*sorted(others), "inconclusive", "unsupported"] if verdict in verdicts), "pass")
 
 
-def rows_of(run):
+def rows_of(run, has_times):
     for renderer in run["renderers"]:
+        seconds = f'{renderer["cpu_seconds"]:.0f}' if has_times else ""
         for requirement in run["requirements"]:
             cell = requirement["renderers"].get(renderer["name"])
             if cell is None:
                 continue
             decibels = cell.get("lowest_psnr_db")
-            yield [renderer["name"], renderer["version"], f'{renderer["cpu_seconds"]:.0f}', renderer["measured"],
+            yield [renderer["name"], renderer["version"], seconds, renderer["measured"],
                    requirement["code"], requirement["title"],
                    worst_verdict(run, renderer["name"], requirement["code"]), "" if decibels is None else f"{decibels:.1f}"]
 
 
-def main(files):
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--no-times", action="store_true", help="leave out what each renderer took")
+    parser.add_argument("files", nargs="+", metavar="results.json")
+    arguments = parser.parse_args()
+    files = arguments.files
     runs = []
     for file in files:
         with open(file, encoding="utf-8") as text:
@@ -42,7 +51,7 @@ def main(files):
     out = csv.writer(sys.stdout, lineterminator="\n")
     out.writerow(["renderer", "version", "cpu_seconds", "measured", "requirement", "title", "verdict", "psnr_db"])
     for run in runs:
-        out.writerows(rows_of(run))
+        out.writerows(rows_of(run, not arguments.no_times))
 
 
-main(sys.argv[1:])
+main()

@@ -1,7 +1,8 @@
-// The verdicts of all renderers side by side: docs/reports/renderers-1-4.csv, which
-// data/bench/renderer_results.py makes of runs, and the tables of the README and of the findings that are
-// made of it.
+// The verdicts of all renderers side by side: docs/reports/renderers-1-4.csv and gltf-*.csv beside it, which
+// data/bench/renderer_results.py makes of runs, and the tables of the README, of the findings and of the page
+// of the renderers that are made of them.
 #include "base/files.h"
+#include "registry/configuration.h"
 #include "structure/documentation.h"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ Table read_table(const std::string& csv) {
   std::getline(in, line);  // the names of the columns
   while (std::getline(in, line)) {
     const auto cells = cells_of(line);
-    if (cells.size() != 8) throw std::runtime_error("renderers-1-4.csv: expected 8 cells: " + line);
+    if (cells.size() != 8) throw std::runtime_error("expected 8 cells: " + line);
     if (table.columns.empty() || table.columns.back().renderer != cells[0])
       table.columns.push_back({cells[0], cells[1], cells[2], cells[3]});
     const std::pair requirement{cells[4], cells[5]};
@@ -89,7 +90,33 @@ std::string markdown(const Table& table) {
       const auto cell = column.cells.find(code);
       return cell == column.cells.end() ? std::string("\u2013") : cell->second;
     });
+  const auto has_times = [](const Column& column) { return !column.cpu_seconds.empty(); };
+  if (std::none_of(table.columns.begin(), table.columns.end(), has_times)) return text;
   return text + row(table, "CPU seconds", [](const Column& column) { return column.cpu_seconds; });
+}
+
+// Scenes whose failures have one cause share a row.
+std::string causes(const std::vector<orbs::registry::ExpectedFailure>& expected,
+                   const std::string& renderer) {
+  std::vector<std::pair<std::pair<std::string, std::string>, std::string>> rows;
+  for (const auto& entry : expected) {
+    if (entry.renderer != renderer) continue;
+    const std::pair key{entry.verdict, entry.reason};
+    const auto found =
+        std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.first == key; });
+    if (found == rows.end()) {
+      rows.emplace_back(key, entry.scene);
+    } else {
+      found->second += "," + entry.scene;
+    }
+  }
+  std::string text = "| scenes | verdict | cause |\n|---|---|---|\n";
+  for (auto& [key, scenes] : rows) {
+    for (auto comma = scenes.find(','); comma != std::string::npos; comma = scenes.find(',', comma + 2))
+      scenes.insert(comma + 1, " ");
+    text += fmt::format("| {} | {} | {} |\n", scenes, key.first, key.second);
+  }
+  return text;
 }
 
 std::string versions(const Table& table) {
@@ -111,4 +138,17 @@ TEST(RenderersTable, TheReadmeAndTheFindingsShowTheCommittedRuns) {
   EXPECT_EQ(check_generated_part(root / "docs/reports/findings.md", "renderers",
                                  markdown(table) + "\n" + versions(table)),
             "");
+}
+
+TEST(RenderersTable, ThePageOfTheRenderersShowsWhatReadersOfGltfDrawAndWhyItDiffers) {
+  const std::filesystem::path root(ORBS_SOURCE_DIR);
+  const auto expected = orbs::registry::load_configuration(root / "configuration.json").expected;
+  for (const auto& [renderer, size] : {std::pair{"cycles-gltf", "1-4"}}) {
+    const auto table = read_table(orbs::read_file(root / fmt::format("docs/reports/gltf-{}.csv", size)));
+    ASSERT_EQ(table.columns.size(), 1U) << size;
+    EXPECT_EQ(table.columns[0].renderer, renderer);
+    EXPECT_EQ(orbs::structure::check_generated_part(root / "docs/use/renderers.md", renderer,
+                                                    markdown(table) + "\n" + causes(expected, renderer)),
+              "");
+  }
 }
