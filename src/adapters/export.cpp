@@ -29,8 +29,9 @@ namespace orbs::adapters {
 namespace {
 
 // Of every format. 1: the origin of the coordinates is near the camera, as readers keep them in floats
-// (scene/geometry/extent.h). 0: it is the scene's own, which shows what a renderer makes of large
-// coordinates; the default of the project's own format, whose readers get the scene as it is.
+// (scene/geometry/extent.h), and that of textures near 0. 0: they are the scene's own, which shows what a
+// renderer makes of large coordinates; the default of the project's own format, whose readers get the scene
+// as it is.
 constexpr SceneSetting kOriginNearCamera{.name = "origin_near_camera", .is_whole = true};
 
 std::vector<SceneSetting> settings_of(const Exporter& exporter) {
@@ -57,6 +58,17 @@ void check_setting(const registry::Renderer& renderer, const SceneSetting& setti
 scene::Scene with_origin_near_camera(const scene::Scene& scene) {
   const Vec3d origin = scene::origin_near(scene::extent_of(scene));
   return origin == Vec3d{} ? scene : scene::moved(scene, translation(Vec3d{} - origin));
+}
+
+void leave_out_repetitions_of_textures(scene::Scene& scene) {
+  for (auto& material : scene.materials)
+    std::visit(
+        [&](auto& model) {
+          if constexpr (requires { model.texture; })
+            if (auto& use = model.texture)
+              use->matrix = scene::without_repetitions(use->matrix, scene::texture_at(scene, *use));
+        },
+        material.model);
 }
 
 }  // namespace
@@ -104,7 +116,10 @@ std::variant<scene::Scene, std::string> prepare_scene(const registry::Renderer& 
   check_scene_format(renderer);
   if (exporter == nullptr) return "it reads hand-written scenes only";
   auto prepared = std::get<scene::Scene>(std::move(lowered));
-  if (moves_origin(*exporter, renderer.format.settings)) prepared = with_origin_near_camera(prepared);
+  if (moves_origin(*exporter, renderer.format.settings)) {
+    prepared = with_origin_near_camera(prepared);
+    leave_out_repetitions_of_textures(prepared);
+  }
   const auto limits = exporter->limits(prepared, renderer.format.settings);
   if (!limits.empty()) return limits.front();
   return prepared;

@@ -2,6 +2,7 @@
 
 #include "base/matrix.h"
 
+#include <cmath>
 #include <filesystem>
 #include <string>
 
@@ -25,5 +26,13 @@ struct TextureUse {
   Mat4 matrix;
   bool operator==(const TextureUse&) const = default;
 };
+
+/// The matrix without the whole repetitions by which it moves a texture that repeats: they change nothing but
+/// the digits that floats have left for the rest.
+inline Mat4 without_repetitions(Mat4 matrix, const Texture& texture) {
+  if (texture.wrap_u == Wrap::Repeat) matrix(0, 3) -= std::floor(matrix(0, 3));
+  if (texture.wrap_v == Wrap::Repeat) matrix(1, 3) -= std::floor(matrix(1, 3));
+  return matrix;
+}
 
 }  // namespace orbs::scene

@@ -72,13 +72,9 @@ Vec3f lookup(const TexelGrid& grid, Vec2f uv) {
 }
 
 UvMap uv_map(const Mat4& matrix, const scene::Texture& texture) {
-  const auto f = [&](std::size_t row, std::size_t column) { return static_cast<float>(matrix(row, column)); };
-  // Whole periods of a texture that repeats change nothing but the digits that floats have left for the rest.
-  const auto offset = [&](std::size_t row, scene::Wrap wrap) {
-    const double whole = wrap == scene::Wrap::Repeat ? std::floor(matrix(row, 3)) : 0;
-    return static_cast<float>(matrix(row, 3) - whole);
-  };
-  return {{f(0, 0), f(0, 1), offset(0, texture.wrap_u), f(1, 0), f(1, 1), offset(1, texture.wrap_v)}};
+  const Mat4 m = scene::without_repetitions(matrix, texture);
+  const auto f = [&](std::size_t row, std::size_t column) { return static_cast<float>(m(row, column)); };
+  return {{f(0, 0), f(0, 1), f(0, 3), f(1, 0), f(1, 1), f(1, 3)}};
 }
 
 }  // namespace orbs::tracer

@@ -81,6 +81,20 @@ TEST(Exporters, TheOriginIsNearTheCamera) {
   }
 }
 
+TEST(Exporters, WholeRepetitionsOfTexturesAreLeftOut) {
+  const auto scene =
+      scene::load_scene(ORBS_SOURCE_DIR "/data/cases/stability/far_textures/texture-offset-1e7.json");
+  registry::Renderer renderer;
+  renderer.support.declares = registry::parse_features("G5/M8");
+  for (const double is_moved : {0, 1}) {
+    renderer.format.name = registry::kNeutralFormat;
+    renderer.format.settings = {{"origin_near_camera", is_moved}};
+    const auto prepared = std::get<scene::Scene>(adapters::prepare_scene(renderer, scene));
+    const auto& floor = std::get<scene::Lambert>(prepared.materials[0].model);
+    EXPECT_EQ(floor.texture.value().matrix(0, 3), is_moved == 1 ? 0 : 1e7);
+  }
+}
+
 struct WriterOfTwo {
   std::string operator()(const scene::Lambert&) const { return "lambert"; }
   std::string operator()(const scene::Mirror&) const { return "mirror"; }
