@@ -1,5 +1,6 @@
 #include "judge/bad_samples.h"
 
+#include "base/bad_samples.h"
 #include "base/text.h"
 #include "metrics/seeds.h"
 
@@ -19,11 +20,16 @@ constexpr double kMillion = 1e6;
 struct Counted {
   const char* text;    // follows the number
   bool is_of_samples;  // else of rays, of which a sample has several
+  bool may_be_right;   // no error for certain
 };
 constexpr std::array<Counted, metrics::kCounters.size()> kCounted{{
-    {"samples were no finite number and are missing", true},
-    {"searches for a root ended at their limit, where there may be no surface", false},
-    {"answers of plug-ins broke the rules and counted as misses", false},
+    {"samples were no finite number and are missing", true, false},
+    {"searches for a root ended at their limit, where there may be no surface", false, false},
+    {"answers of plug-ins broke the rules and counted as misses", false, false},
+    {"points of formulas had no gradient, and a normal that is none of theirs", false, false},
+    {"hits rest on values that rounding cannot tell from zero: of surfaces that only touch it, or of none",
+     false, true},
+    {"lookups of an irradiance cache were led below zero by its gradients and set to zero", false, true},
 }};
 
 // Nothing where the image has no such attribute.
@@ -71,7 +77,8 @@ std::optional<GateResult> check_counter(const std::string& attribute,
   const auto found = counted.is_of_samples
                          ? fmt::format("{} of {:.3g} {}", *count, samples, counted.text)
                          : fmt::format("in {:.3g} samples {} {}", samples, *count, counted.text);
-  if (share_ppm > kMostBadSamples_ppm)
+  if (counted.may_be_right && share_ppm <= kMostBadSamples_ppm) return std::nullopt;
+  if (!counted.may_be_right && share_ppm > kMostBadSamples_ppm)
     return refusal(attribute.substr(attribute.find('.') + 1), counted, share_ppm, found, record);
   record.remarks.push_back(fmt::format("{}, {:.2g} in a million", found, share_ppm));
   return std::nullopt;

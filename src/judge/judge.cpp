@@ -3,6 +3,7 @@
 #include "base/statistics.h"
 #include "base/text.h"
 #include "judge/bad_samples.h"
+#include "judge/condition.h"
 #include "judge/exact_copy.h"
 #include "judge/gate.h"
 #include "judge/noise.h"
@@ -113,8 +114,9 @@ void check_pixels_at_look(registry::PixelCheck pixels,
 
 std::vector<GateResult> check_conditions(const Case& one_case,
                                          const image::Image& result,
-                                         const Looks& looks,
+                                         const JudgeSettings& settings,
                                          TargetRecord& record) {
+  const auto& looks = settings.looks;
   std::vector<GateResult> results;
   for (const auto& pixels : one_case.pixel_checks)
     if (pixels.target == record.target) check_pixels_at_look(pixels, result, looks, record, results);
@@ -124,6 +126,9 @@ std::vector<GateResult> check_conditions(const Case& one_case,
     // Not the renderer's fault: the case does not show what it is about.
     if (!record.checks.back().passed) results.push_back({Verdict::Inconclusive, record.checks.back().reason});
   }
+  if (one_case.condition)
+    if (auto missed = check_condition(*one_case.condition, settings.condition, record))
+      results.push_back(std::move(*missed));
   if (auto refused = check_bad_samples(result, record)) {
     // One in few is no share yet.
     if (looks.most > 1 && looks.of_first_guess < 1) {
@@ -254,16 +259,19 @@ void refuse_constant_by_checks(const Case& one_case, const image::Image& result,
 // Where no reference is meant to be, the checks decide: all that can be measured must pass, and one must be.
 Look judge_by_checks(const Case& one_case,
                      const image::Image& result,
-                     const Looks& looks,
+                     const JudgeSettings& settings,
                      TargetRecord& record) {
+  const auto& looks = settings.looks;
   if (refuse_negative(one_case, metrics::count_faults(result, negatives_of(one_case, record.target)), record))
     return {};
-  auto checked = check_conditions(one_case, result, looks, record);
+  auto checked = check_conditions(one_case, result, settings, record);
   auto look = look_at(checked, looks);
   take_worst(std::move(checked), record);
   refuse_constant_by_checks(one_case, result, record);
-  const bool is_measured = std::any_of(record.checks.begin(), record.checks.end(),
-                                       [](const Check& check) { return check.measured; });
+  // How much rounding decides says nothing of what is right.
+  const bool is_measured = std::any_of(record.checks.begin(), record.checks.end(), [](const Check& check) {
+    return check.measured && check.what != kConditionCheck;
+  });
   take(record, is_measured ? Verdict::Pass : Verdict::Inconclusive,
        is_measured ? "" : "none of the pixel checks, which alone judge it, can be measured at this size");
   return opened_where_early(std::move(look), looks, record);
@@ -335,7 +343,7 @@ Judgement judge_image(const Case& one_case,
                       TargetRecord& record) {
   const auto& looks = settings.looks;
   if (!registry::no_reference_reason(one_case, record.target).empty())
-    return {std::nullopt, judge_by_checks(one_case, result, looks, record)};
+    return {std::nullopt, judge_by_checks(one_case, result, settings, record)};
   record.reference = reference.file.string();
   if (!reference.image) {
     const auto faults = metrics::count_faults(result, negatives_of(one_case, record.target));
@@ -353,7 +361,7 @@ Judgement judge_image(const Case& one_case,
   for (const auto& remark : comparison.bias_remarks) record.remarks.push_back(remark);
   record.hidden = metrics::hidden_by_noise(pair.noise);
   auto checked = check_gates(one_case, pair, comparison, looks.of_first_guess, record);
-  for (auto& condition : check_conditions(one_case, usable, looks, record))
+  for (auto& condition : check_conditions(one_case, usable, settings, record))
     checked.push_back(std::move(condition));
   auto look = look_at(checked, looks);
   take_worst(std::move(checked), record);

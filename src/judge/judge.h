@@ -29,6 +29,7 @@ struct JudgeSettings {
   Measured measured = Measured::Everything;
   metrics::ResultNoise result_noise = metrics::ResultNoise::AsTheImageSays;
   Looks looks = {};
+  results::JobCondition condition = {};  // of the render, where its renderer was asked what rounding decides
 };
 
 struct Judgement {

@@ -16,9 +16,12 @@ bool are_equal(const std::vector<image::Image>& images);
 /// The mean of the images in R, G, B. At least one, all of one size, is the caller's promise.
 image::Image mean_of(const std::vector<image::Image>& images);
 
-/// Attributes in which a render counts what it had to leave out: samples that were no finite number, searches
-/// for a root of a formula that reached their limit, and answers of plug-ins that broke the rules.
-inline constexpr std::array kCounters{"orbs.bad_samples", "orbs.unfinished_roots", "orbs.plugin_faults"};
+/// Attributes in which a render counts what it had to leave out or to guess: samples that were no finite
+/// number, searches for a root of a formula that reached their limit, answers of plug-ins that broke the
+/// rules, points of formulas without a gradient, roots of which rounding left open whether they are there,
+/// and what an irradiance cache set to zero.
+inline constexpr std::array kCounters{"orbs.bad_samples",  "orbs.unfinished_roots", "orbs.plugin_faults",
+                                      "orbs.zero_normals", "orbs.undecided_roots",  "orbs.cache_negative"};
 
 /// The attributes with the counts of samples and of kCounters of all images together, where each states
 /// them; those of one render are not those of their mean.

@@ -208,6 +208,13 @@ void refuse_unjudged(const ObjectReader& in, const Case& one_case) {
   }
 }
 
+ConditionBound load_condition(ObjectReader in) {
+  ConditionBound bound{in.number("max", json::kNotNegative), in.text("reason")};
+  if (bound.reason.empty()) in.fail("reason", "must say how the limit was found");
+  in.finish();
+  return bound;
+}
+
 }  // namespace
 
 Case parse_case(const std::filesystem::path& file, const std::string& text) {
@@ -224,6 +231,7 @@ Case parse_case(const std::filesystem::path& file, const std::string& text) {
   one_case.gates = load_gates(in);
   load_scenes(in, one_case);
   refuse_unjudged(in, one_case);
+  if (in.has("condition_map")) one_case.condition = load_condition(in.object("condition_map"));
   if (in.has("negative_values")) {
     one_case.negative_values = in.text("negative_values");
     if (one_case.negative_values.empty()) in.fail("negative_values", "must say why they are right here");

@@ -69,6 +69,14 @@ struct PathShare {
   double min_share = 0;
 };
 
+/// How much rounding may decide in the images of a case, where its renderer can be asked.
+struct ConditionBound {
+  /// Of the mean of the absolute differences of single pixels between a render in single and one in double
+  /// precision with the same random numbers, over the mean of the image.
+  double most = 0;
+  std::string reason;
+};
+
 struct Case {
   std::string name;  // its folder
   std::filesystem::path file;
@@ -82,7 +90,8 @@ struct Case {
   std::vector<Mask> masks;
   std::vector<PixelCheck> pixel_checks;
   std::vector<PathShare> path_shares;
-  std::string negative_values;  // why images may hold negative values; "" when they may not
+  std::optional<ConditionBound> condition;  // of each of its scenes
+  std::string negative_values;              // why images may hold negative values; "" when they may not
 };
 
 /// Reads and checks one case.json. InputError with file, line and key.

@@ -101,7 +101,7 @@ void fields(Visitor& visit, Record& command) {
   visit(
       "double_precision", command.double_precision,
       {.help = "Arguments that follow the command where it is to work in double precision; `orbs stability` "
-               "then compares both",
+               "and runs of cases that bound it then compare both",
        .changes_image = false});
 }
 

@@ -127,6 +127,29 @@ void fields(Visitor& visit, Record& sampling) {
   visit("end", sampling.end);
 }
 
+/// What rounding decides in the scene: it was rendered in single and in double precision, with few samples
+/// and the same random numbers, before the render that is judged.
+struct JobCondition {
+  int spp = 0;        // of either render; 0: none was made
+  double pixels = 0;  // mean of the absolute differences of single pixels, over the mean of the image
+  int x = 0;          // pixel that differs most
+  int y = 0;
+  std::string problem;     // why there is no number; "" where there is one
+  double cpu_seconds = 0;  // of both renders; part of the job's cost
+  std::string shell;       // for a shell in the folder of the run, where it repeats both
+};
+
+template <class Visitor, json::RecordOf<JobCondition> Record>
+void fields(Visitor& visit, Record& condition) {
+  visit("spp", condition.spp, {.range = {.min = 0}});
+  visit("pixels", condition.pixels);
+  visit("x", condition.x);
+  visit("y", condition.y);
+  visit("problem", condition.problem);
+  visit("cpu_seconds", condition.cpu_seconds);
+  visit("shell", condition.shell);
+}
+
 /// Paths, relative to the run's folder.
 struct JobFiles {
   std::string folder;
@@ -152,6 +175,7 @@ struct JobRecord {
   JobEnd end;
   JobFiles files;
   JobSampling sampling;
+  JobCondition condition;
 };
 
 template <class Visitor, json::RecordOf<JobRecord> Record>
@@ -163,6 +187,7 @@ void fields(Visitor& visit, Record& job) {
   visit.required("end", job.end);
   visit("files", job.files);
   visit("sampling", job.sampling);
+  visit("condition", job.condition);
 }
 
 inline bool has_image(const JobRecord& job) { return job.end.outcome == JobOutcome::Image; }

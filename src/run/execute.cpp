@@ -4,6 +4,7 @@
 #include "base/files.h"
 #include "base/local_time.h"
 #include "base/text.h"
+#include "run/condition.h"
 #include "run/host.h"
 #include "run/isolate.h"
 #include "run/job_folder.h"
@@ -134,6 +135,8 @@ Execution execute(const Plan& plan,
     record.cost.started = local_time_now();
     record.cost.load = load_average();
   }
+  // Before the render that is judged, whose log stays.
+  if (planned.has_condition) record.condition = measure_condition(plan, planned, job, stop, record.cost);
   auto rendered = render(job, stop);
   note_processes(rendered, record);
   record.end.outcome = rendered.outcome.kind;

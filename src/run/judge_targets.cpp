@@ -95,6 +95,7 @@ struct JudgedImage {
   const std::array<image::Image, 2>* halves = nullptr;
   int spp = 0;
   int first_guess = 1;
+  results::JobCondition condition = {};  // of its render, where it is of one
 };
 
 // The samples of the reference for one sample of the image, each pixel of which covers several of the full
@@ -115,7 +116,8 @@ judge::JudgeSettings judge_settings(const Plan& plan,
                                     const JudgedImage& judged) {
   const bool is_noise_free = plan.renderers[planned.renderer].entry.sampling.is_noise_free;
   const auto noise = is_noise_free ? metrics::ResultNoise::NoiseFree : metrics::ResultNoise::AsTheImageSays;
-  judge::JudgeSettings settings{.threads = plan.threads, .result_noise = noise};
+  judge::JudgeSettings settings{
+      .threads = plan.threads, .result_noise = noise, .condition = judged.condition};
   if (judged.halves == nullptr) return settings;
   settings.looks.most = kMostLooks;
   settings.looks.halves = judged.halves;
@@ -203,10 +205,10 @@ std::vector<JudgedTarget> judge_scene(const Plan& plan,
     auto& [record, look] = all.emplace_back(JudgedTarget{blank_target(plan, planned, folders.run)});
     record.image = execution.record.files.image;
     if (execution.image) {
-      look = judge_target(
-          plan, planned,
-          {*execution.image, halves, execution.record.identity.spp, first_guess_spp(plan.jobs[job])}, folders,
-          record);
+      look = judge_target(plan, planned,
+                          {*execution.image, halves, execution.record.identity.spp,
+                           first_guess_spp(plan.jobs[job]), execution.record.condition},
+                          folders, record);
     } else {
       take_job_verdict(execution.record, record);
     }

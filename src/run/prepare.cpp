@@ -95,20 +95,39 @@ std::vector<adapters::Job> replicas_of(const registry::Renderer& renderer,
   return replicas;
 }
 
-std::vector<adapters::Job> replicas_of(const Plan& plan,
-                                       const PlannedJob& job,
-                                       const std::filesystem::path& run_folder) {
-  const auto& renderer = plan.renderers[job.renderer];
-  const auto entry = entry_for(plan, job);
+namespace {
+
+adapters::JobSettings settings_of(const Plan& plan, const PlannedJob& job) {
   adapters::JobSettings settings;
   settings.spp = job.spp;
   settings.seed = plan.settings.seed;
   settings.threads = plan.threads;
   settings.root = plan.root;
   settings.build = plan.build;
-  settings.executable = renderer.executable;
+  settings.executable = plan.renderers[job.renderer].executable;
   settings.arguments = scene_arguments(plan, job);
   settings.scene_file = job.native_scene.filename().string();
+  return settings;
+}
+
+}  // namespace
+
+adapters::Job one_render(const Plan& plan,
+                         const PlannedJob& job,
+                         const std::filesystem::path& folder,
+                         int spp,
+                         const std::string& image_file) {
+  auto settings = settings_of(plan, job);
+  settings.spp = spp;
+  settings.image_file = image_file;
+  return adapters::make_job(entry_for(plan, job), *plan.scenes[job.scene].scene, settings, folder);
+}
+
+std::vector<adapters::Job> replicas_of(const Plan& plan,
+                                       const PlannedJob& job,
+                                       const std::filesystem::path& run_folder) {
+  const auto entry = entry_for(plan, job);
+  auto settings = settings_of(plan, job);
   if (job.look) {
     std::vector<adapters::Job> two;
     settings.spp = job.look->spp;

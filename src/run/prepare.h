@@ -43,6 +43,13 @@ std::vector<adapters::Job> replicas_of(const registry::Renderer& renderer,
                                        const adapters::JobSettings& settings,
                                        const std::filesystem::path& folder);
 
+/// One render of a job of the plan, in the job's own folder, with other samples than planned.
+adapters::Job one_render(const Plan& plan,
+                         const PlannedJob& job,
+                         const std::filesystem::path& folder,
+                         int spp,
+                         const std::string& image_file);
+
 /// The same for a job of the plan, with all paths below `run_folder`; for one with a look those of its two
 /// renders.
 std::vector<adapters::Job> replicas_of(const Plan& plan,

@@ -5,6 +5,7 @@
 #include "image/image_io.h"
 #include "metrics/seeds.h"
 #include "results/run_folder.h"
+#include "run/condition.h"
 #include "run/looks.h"
 #include "run/resume.h"
 
@@ -63,18 +64,32 @@ bool are_equal_renders(const Execution& execution) {
   return execution.renders.size() == 2 && metrics::are_equal(execution.renders);
 }
 
+void keep_condition(const RenderSession& session,
+                    const PlannedJob& job,
+                    const JobRecord& before,
+                    JobRecord& record) {
+  record.condition = before.condition;
+  if (before.condition.spp > 0)
+    keep_condition_images(session.folders.run / job.folder, session.folders.unfinished / job.folder);
+}
+
 // Renders a look of the job. What it leaves without a usable image, or what cannot be merged, ends the job.
 Execution rendered_look(RenderSession& session, std::size_t index, const JobRecord& before) {
   auto job = session.plan.jobs[index];
   job.look = next_look(session.plan, job, before.sampling.looks);
+  // What rounding decides is asked once.
+  job.has_condition = job.has_condition && before.sampling.looks == 0;
   auto execution = render_job(session, index, job);
+  if (before.sampling.looks > 0) keep_condition(session, job, before, execution.record);
   add_cost(before.cost, execution.record.cost);
   if (!has_image(execution.record)) return execution;
   if (are_equal_renders(execution)) {
-    const auto cost = execution.record.cost;
+    const auto first = execution.record;
     job.look.reset();
+    job.has_condition = false;
     execution = render_job(session, index, job);
-    add_cost(cost, execution.record.cost);
+    execution.record.condition = first.condition;
+    add_cost(first.cost, execution.record.cost);
     return execution;
   }
   try {

@@ -41,6 +41,8 @@ std::string settings_hash(const Plan& plan, const PlannedJob& job) {
   json::Writer out;
   out.begin_object().member("program", executable.string()).member("words", command_words(plan, job));
   out.member("threads", plan.threads).member("may_be_negative", job.may_be_negative);
+  if (job.has_condition)
+    out.member("double_precision", plan.renderers[job.renderer].entry.command.double_precision);
   json::write_fields(out, entry_for(plan, job), [](const json::Field& field) { return field.changes_image; });
   return hash_text(content_hash(out.end_object().text()));
 }

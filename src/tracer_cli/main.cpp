@@ -1,3 +1,4 @@
+#include "base/bad_samples.h"
 #include "base/error.h"
 #include "base/terminal.h"
 #include "image/image_io.h"
@@ -10,6 +11,7 @@
 #include "tracer/render.h"
 #include "tracer/render/rendering.h"
 #include "tracer/world/build_world.h"
+#include "tracer_cli/missing.h"
 #include "tracer_cli/options.h"
 #include "tracer_cli/stamp.h"
 
@@ -161,6 +163,18 @@ void warn_of_plugin_faults(const tracer::World& world) {
                 faults.count, faults.what);
 }
 
+// Of a render that has all its samples.
+int status_of(const tracer::Rendering& rendering, const Options& options, const tracer::World& world) {
+  if (options.only_counts_bad_samples()) return 0;
+  const auto missing = too_much_missing(rendering, world);
+  if (missing.empty()) return 0;
+  print_clean(stderr,
+              "orbs-tracer: the image is written and lacks too much: {}; at most {} in a million may be "
+              "(--bad-samples)\n",
+              missing, kMostBadSamples_ppm);
+  return kTooMuchMissing;
+}
+
 struct PluginsAllowed {
   PluginsAllowed() { is_rendering = true; }
   ~PluginsAllowed() { is_rendering = false; }
@@ -187,7 +201,8 @@ int run(const Options& options) {
   image::write_exr(rendering.image, options.output);
   warn_of_plugin_faults(world);
   print_summary(rendering, trials, options.as_json);
-  if (rendering.samples_per_pixel == options.render.samples_per_pixel) return 0;
+  if (rendering.samples_per_pixel == options.render.samples_per_pixel)
+    return status_of(rendering, options, world);
   print_clean(stderr, "orbs-tracer: stopped after {} of {} samples per pixel; {} holds what was finished\n",
               rendering.samples_per_pixel, options.render.samples_per_pixel, options.output);
   return kInterrupted;

@@ -169,6 +169,13 @@ Options parse_options(int argc, char** argv, const std::string& version) {
   add_integrator_options(app, options);
   add_transport_options(app, options);
   app.add_option("--fault", options.fault, fault_help()).one_of(scene::render_fault_names());
+  app.add_option(
+         "--bad-samples", options.bad_samples,
+         "where more than 100 in a million samples came out as no finite number and are left out, or as many "
+         "rays met shapes that did not answer: fail (exit status 4, with the image written) or count (the "
+         "image's attributes alone say so)")
+      .one_of({"fail", "count"})
+      .shows_default();
   app.add_flag("--json", options.as_json, "print progress on standard output, one JSON object per line");
   // No option of its own: it would ask for a scene. The package has the page.
   if (argc == 2 && std::string_view(argv[1]) == "--manual") {

@@ -34,7 +34,10 @@ struct Options {
   std::string transport = "auto";
   bool may_lose_effects = false;
   std::string fault;  // "": none
+  std::string bad_samples = "fail";
   tracer::PluginSources plugins;
+
+  bool only_counts_bad_samples() const { return bad_samples == "count"; }
 };
 
 /// Ends the process after --help and --version (exit status 0) and, with a message, after a command line that

@@ -64,6 +64,7 @@ void stamp(tracer::Rendering& rendering,
     const auto counts = tracer::root_counts(world.solids);
     header["orbs.undecided_roots"] = std::to_string(counts.undecided);
     header["orbs.unfinished_roots"] = std::to_string(counts.unfinished);
+    header["orbs.zero_normals"] = std::to_string(counts.zero_normals);
   }
   if (!world.plugin_shapes.empty())
     header["orbs.plugin_faults"] = std::to_string(tracer::plugin_faults(world.plugin_shapes).count);

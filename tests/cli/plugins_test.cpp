@@ -40,7 +40,7 @@ void write_tracer(const Sandbox& sandbox, const std::string& plugin) {
 "suites": [{"name": "t", "cases": "cases", "references": "references"}],
 "renderers": [{"name": "tracer", "executable": "{build}/orbs-tracer", "declares": "G5/M8/S7",
   "plugins": ["plug-ins/misbehaving.so"],
-  "command": ["{executable}", "{scene}", "--plugin", "{plugin}", "-o", "{output}", "--spp", "{spp}"]
+  "command": ["{executable}", "{scene}", "--plugin", "{plugin}", "-o", "{output}", "--spp", "{spp}", "--bad-samples", "count"]
 }]
 })x");
   replace_in(sandbox, "cases/m1_grey/case.json", R"({"name": "v1.5", "file": "grey.json", "spp": 8})",

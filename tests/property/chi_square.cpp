@@ -69,6 +69,7 @@ bool holds(const Cell& c, Vec2d p) {
 }
 
 double p_value_of(double statistic, int degrees) {
+  if (degrees < 1) return statistic > 0 ? 0 : 1;  // nothing was to be expected
   const double spread = 2.0 / (9.0 * degrees);
   const double z = (std::cbrt(statistic / degrees) - (1 - spread)) / std::sqrt(spread);
   return 0.5 * std::erfc(z / std::sqrt(2.0));

@@ -385,7 +385,7 @@ TEST(ImplicitNormals, DoNotDependOnTheScaleOfTheFormula) {
   const Vec3d point{0.48, 0.6, 0.64};
   for (const char* scale : {"1", "1e-150", "1e-170", "1e-300", "1e150", "1e300"}) {
     const auto formula = orbs::scene::parse_expression(std::string(scale) + "*(x^2 + y^2 + z^2 - 1)");
-    const Vec3d normal = orbs::tracer::implicit_normal(formula, point);
+    const Vec3d normal = orbs::tracer::implicit_normal(formula, point).value();
     EXPECT_NEAR(normal.x, point.x, 1e-12) << scale;
     EXPECT_NEAR(normal.y, point.y, 1e-12) << scale;
     EXPECT_NEAR(normal.z, point.z, 1e-12) << scale;

@@ -66,7 +66,7 @@ TEST(PluginSaddle, HasTheHitsOfTheSameImplicitSurface) {
     if (!found) continue;
     ++hits;
     largest_t = std::max(largest_t, std::abs(found->t - exact.t));
-    const Vec3d normal = tracer::implicit_normal(implicit.form.expression, point_at(ray, exact.t));
+    const Vec3d normal = tracer::implicit_normal(implicit.form.expression, point_at(ray, exact.t)).value();
     largest_normal = std::max(largest_normal, length(found->normal - normal));
   }
   EXPECT_GT(hits, kRays / 4);

@@ -66,6 +66,7 @@ CASE = {
     "gates": [{"metric": "psnr_srgb8", "min": 30, "reason": "another formula"}],
     "masks": [{"scene": "1", "rectangles": [[0, 0, 4, 4]], "reason": "edges"}],
     "path_shares": [{"scene": "1", "class": "EDSSL-T", "min_share": 0.01}],
+    "condition_map": {"max": 0.001, "reason": "as the gate of the mean"},
 }
 CONFIGURATION = {
     "format": "orbs-configuration/1",
@@ -167,6 +168,8 @@ WRONG = [
     (CASE, ["gates", 0, "metric"], None),
     (CASE, ["gates", 0, "max"], "1"),
     (CASE, ["mean_ratio"], 0.01),
+    (CASE, ["condition_map", "max"], -1),
+    (CASE, ["condition_map", "reason"], None),
     (CONFIGURATION, ["renderers", 0, "comand"], []),
     (CONFIGURATION, ["renderers", 0, "name"], "a b"),
     (CONFIGURATION, ["renderers", 0, "plugins"], []),

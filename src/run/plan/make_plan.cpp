@@ -10,6 +10,7 @@
 #include "metrics/mask.h"
 #include "registry/cases.h"
 #include "registry/image_size.h"
+#include "run/condition.h"
 #include "run/expected.h"
 #include "run/looks.h"
 #include "run/plan/choose_renderers.h"
@@ -172,6 +173,7 @@ Plan make_plan(const registry::Configuration& configuration,
   plan_first_jobs(plan);
   plan_targets(plan);
   for (auto& job : plan.jobs) job.may_be_negative = may_be_negative(plan, job);
+  plan_conditions(plan);
   const auto seconds = estimated_cpu_seconds(plan);
   for (std::size_t job = 0; job < plan.jobs.size(); ++job) plan.jobs[job].cpu_seconds = seconds[job];
   plan.id = plan_id(plan);

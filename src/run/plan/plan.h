@@ -51,6 +51,7 @@ struct PlannedJob {
   std::filesystem::path folder;          // relative to the run's
   std::filesystem::path native_scene{};  // hand-written for the renderer; "" when it is exported
   bool may_be_negative = false;          // some case that judges its image allows negative values
+  bool has_condition = false;            // some case bounds what rounding decides, see run/condition.h
   double cpu_seconds = 1;                // that the render is expected to take, see estimated_cpu_seconds
 };
 

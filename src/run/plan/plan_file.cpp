@@ -8,6 +8,7 @@
 #include "json/field_writer.h"
 #include "registry/cases.h"
 #include "registry/image_size.h"
+#include "run/condition.h"
 #include "run/plan/choose_renderers.h"
 #include "run/plan/render_seconds.h"
 #include "run/plan/scenes.h"
@@ -261,6 +262,7 @@ LoadedPlan load_plan(const FiledPlan& filed,
   load_cases(filed, loaded);
   reduce_size(plan);
   load_jobs(filed, loaded);
+  plan_conditions(plan);
   return loaded;
 }
 

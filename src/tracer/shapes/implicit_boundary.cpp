@@ -229,7 +229,7 @@ BoundaryHit next_boundary(
   return {};
 }
 
-Vec3d implicit_normal(const Expression& expression, Vec3d point) {
+std::optional<Vec3d> implicit_normal(const Expression& expression, Vec3d point) {
   const auto gradient_at = [&](Vec3d p) {
     using scene::Gradient;
     const auto gradient =
@@ -246,7 +246,7 @@ Vec3d implicit_normal(const Expression& expression, Vec3d point) {
   for (const Vec3d side : {Vec3d{1, 0.6, 0.3}, Vec3d{-0.4, 1, 0.7}, Vec3d{0.2, -0.5, 1}})
     if (const Vec3d g = gradient_at(point + side * step); is_usable(g))
       return normalised(g / largest_magnitude(g));
-  return {0, 1, 0};
+  return std::nullopt;
 }
 
 }  // namespace orbs::tracer

@@ -16,7 +16,7 @@ BoundaryHit next_boundary(
     const ImplicitLeaf& leaf, const LocalRay& ray, double after, Roots roots, RootCounts& counts);
 
 /// The unit normal of f at a point of the surface, towards larger f. At singular points, where the gradient
-/// is zero, the sum of those around it.
-Vec3d implicit_normal(const scene::Expression& expression, Vec3d point);
+/// is zero, that beside it; nothing where there is none either.
+std::optional<Vec3d> implicit_normal(const scene::Expression& expression, Vec3d point);
 
 }  // namespace orbs::tracer

@@ -76,13 +76,15 @@ struct SolidNode {
   std::uint32_t b = 0;
 };
 
-/// What the search for roots could not decide. Sums of all rays, so that they do not depend on threads.
+/// What could not be told of formulas. Sums of all rays, so that they do not depend on threads.
 struct RootCounts {
   /// Parts of rays as short as rounding allows in which neither a root nor its absence could be shown; they
   /// count as hits, so that no surface is lost.
   std::atomic<std::uint64_t> undecided{0};
   /// Rays whose search ended at its limit; they end where the undecided rest begins.
   std::atomic<std::uint64_t> unfinished{0};
+  /// Points without a gradient, and with none close by: they have a normal that is none of theirs.
+  std::atomic<std::uint64_t> zero_normals{0};
 };
 
 /// One shape of the scene. `nodes` ends with the root.
@@ -105,12 +107,14 @@ constexpr std::uint64_t kMostUnfinished = 500;
 struct RootTotals {
   std::uint64_t undecided = 0;
   std::uint64_t unfinished = 0;
+  std::uint64_t zero_normals = 0;
 };
 inline RootTotals root_counts(const std::vector<Solid>& solids) {
   RootTotals totals;
   for (const Solid& solid : solids) {
     totals.undecided += solid.counts->undecided;
     totals.unfinished += solid.counts->unfinished;
+    totals.zero_normals += solid.counts->zero_normals;
   }
   return totals;
 }

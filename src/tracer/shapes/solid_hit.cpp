@@ -26,13 +26,18 @@ Vec3d normal_of_face(std::uint8_t face) {
 
 struct LocalNormal {
   Vec3d p;
+  RootCounts& counts;
 
   // Half the gradient of x^2 + z^2 - a - b y - c y^2. At the apex of a cone it is zero.
   Vec3d operator()(const QuadricLeaf& leaf) const {
     const Vec3d gradient{p.x, -(leaf.quadric.b / 2 + leaf.quadric.c * p.y), p.z};
     return dot(gradient, gradient) > 0 ? gradient : Vec3d{0, 1, 0};
   }
-  Vec3d operator()(const ImplicitLeaf& leaf) const { return implicit_normal(leaf.form.expression, p); }
+  Vec3d operator()(const ImplicitLeaf& leaf) const {
+    if (const auto normal = implicit_normal(leaf.form.expression, p)) return *normal;
+    ++counts.zero_normals;
+    return {0, 1, 0};
+  }
   // These have numbered faces only.
   Vec3d operator()(const DiskLeaf&) const { return {0, 1, 0}; }
   Vec3d operator()(const BoxLeaf&) const { return {0, 1, 0}; }
@@ -97,8 +102,8 @@ SolidPoint point_on_solid(const Solid& solid, const Ray& ray, const Hit& hit) {
   out.material = leaf.material;
   out.position = cast<double>(ray.origin) + cast<double>(ray.direction) * t;
   const Vec3d local = transform_point(leaf.to_local, out.position);
-  const Vec3d normal =
-      face_of(hit) == kOwnFace ? std::visit(LocalNormal{local}, leaf.form) : normal_of_face(face_of(hit));
+  const Vec3d normal = face_of(hit) == kOwnFace ? std::visit(LocalNormal{local, *solid.counts}, leaf.form)
+                                                : normal_of_face(face_of(hit));
   out.normal = normalised(transform_normal(leaf.to_local, normal));
   if (is_flipped(hit)) out.normal = -out.normal;
   out.error = kDoubleRounding * leaf.size;

@@ -63,7 +63,7 @@ TEST(BadSamples, FailAnImageThatChecksAloneJudge) {
 
 // What shapes did not answer is a hole in the image as well.
 TEST(BadSamples, OfPlugInsAndOfSearchesWithoutEndFailAnImage) {
-  for (const char* attribute : {"orbs.plugin_faults", "orbs.unfinished_roots"}) {
+  for (const char* attribute : {"orbs.plugin_faults", "orbs.unfinished_roots", "orbs.zero_normals"}) {
     auto image = with_bad_samples("0");
     image.attributes[attribute] = "19";
     EXPECT_EQ(judged(one_case(), image, grey(0.2501F)).verdict, Verdict::PassWithRemarks) << attribute;
@@ -73,6 +73,24 @@ TEST(BadSamples, OfPlugInsAndOfSearchesWithoutEndFailAnImage) {
     EXPECT_TRUE(record.reason.starts_with("in 1.92e+05 samples 40 ")) << record.reason;
     EXPECT_EQ("orbs." + record.checks.back().what, attribute);
     EXPECT_EQ(judge::difference_of(with_bad_samples("0"), image).attributes.at(attribute), "40");
+  }
+}
+
+// Nobody can tell a surface that only touches zero from none, so these are no failure, however many.
+TEST(BadSamples, UndecidedRootsAreARemarkAboveTheirShare) {
+  const auto image = with_bad_samples("0");
+  for (const auto& [attribute, words] :
+       {std::pair{"orbs.undecided_roots", "hits rest on values"},
+        std::pair{"orbs.cache_negative", "lookups of an irradiance cache"}}) {
+    auto counted = image;
+    counted.attributes[attribute] = "19";
+    EXPECT_EQ(judged(one_case(), counted, grey(0.2501F)).verdict, Verdict::Pass) << attribute;
+    EXPECT_TRUE(judged(one_case(), counted, grey(0.2501F)).remarks.empty());
+    counted.attributes[attribute] = "150000";
+    const auto record = judged(one_case(), counted, grey(0.2501F));
+    EXPECT_EQ(record.verdict, Verdict::PassWithRemarks);
+    EXPECT_TRUE(record.remarks.at(0).starts_with(std::string("in 1.92e+05 samples 150000 ") + words))
+        << record.remarks[0];
   }
 }
 

@@ -314,6 +314,33 @@ TEST(Judge, APathClassMustCarryItsShareOfTheReference) {
   EXPECT_EQ(judged(paths, grey(0.25F), reference).reference_provenance.at("path.ESDL"), "0.02");
 }
 
+// What the renderer's own double precision shows counts beside the gates, and alone proves nothing.
+TEST(Judge, RoundingMayDecideNoMoreThanTheCaseAllows) {
+  auto bounded = one_case();
+  bounded.condition = {1e-3, "a reason"};
+  const auto with = [&](const results::JobCondition& condition) {
+    results::TargetRecord record;
+    record.target = "a";
+    judge::judge_image(bounded, grey(0.25F), {"a.exr", grey(0.25F), ""}, {.condition = condition}, record);
+    return record;
+  };
+  EXPECT_EQ(with({}).verdict, Verdict::Pass) << "the renderer was not asked";
+  results::JobCondition condition;
+  condition.spp = 16;
+  condition.pixels = 1e-3;
+  EXPECT_TRUE(with(condition).checks.back().passed);
+  EXPECT_EQ(with(condition).verdict, Verdict::Pass);
+  condition.pixels = 1.1e-3;
+  EXPECT_EQ(with(condition).verdict, Verdict::Fail);
+  condition.problem = "it crashed";
+  EXPECT_EQ(with(condition).verdict, Verdict::Inconclusive);
+  condition = {};
+  condition.spp = 16;
+  bounded.scenes[0].no_reference = "checks alone judge it";
+  bounded.pixel_checks = {{"a", {0, 0, 1, 1}, {0.25, 0.25, 0.25}, 0, "w", "the region is too small"}};
+  EXPECT_EQ(with(condition).verdict, Verdict::Inconclusive);
+}
+
 TEST(Judge, AGateMayBeAnUpperBoundOfAnotherMetric) {
   auto strict = one_case();
   strict.gates = {{"l1", std::nullopt, 0.005}};

@@ -138,6 +138,12 @@ TEST(Cases, MistakesAreNamedWithTheirPlace) {
   EXPECT_EQ(
       message_of(case_text(R"(, "path_shares": [{"scene": "1", "class": "EDSSL-T", "min_share": 0.1}])")),
       "no error");
+  EXPECT_NE(message_of(case_text(R"(, "condition_map": {"max": 0.1, "reason": ""})"))
+                .find("/condition_map/reason: must say how the limit was found"),
+            std::string::npos);
+  EXPECT_NE(
+      message_of(case_text(R"(, "condition_map": {"max": -1, "reason": "r"})")).find("/condition_map/max"),
+      std::string::npos);
   EXPECT_NE(message_of(case_text("", "[]", "2M")).find("/requirement: '2M' is no requirement"),
             std::string::npos);
 }
