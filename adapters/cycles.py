@@ -19,6 +19,7 @@ import json
 import math
 import os
 import sys
+from array import array
 
 import bpy
 from mathutils import Matrix, Vector
@@ -33,6 +34,7 @@ import cycles_render  # noqa: E402
 IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
 LARGEST_DOUBLED_EMITTER_AREA = 0.1
 SMALLEST_SCALE = 0.01
+FRAME = 1  # the one that is rendered
 LIGHT_SHAPES = {
     "rect": (("half_width", "half_length"), cycles_meshes.rect_light),
     "disk": (("radius",), cycles_meshes.disk_light),
@@ -98,6 +100,9 @@ def build(scene, folder, scale_option):
     descriptions = {m["name"]: checked_material(m) for m in scene.get("materials", [])}
     meshes = {m["name"]: read_mesh(m, folder) for m in scene.get("meshes", [])}
     instances = [checked_instance(i, meshes, descriptions) for i in scene.get("instances", [])]
+    shutter = checked_shutter(scene["camera"])
+    ends = {m["name"]: read_end(m, meshes[m["name"]][0], folder) for m in scene.get("meshes", []) if "end" in m}
+    moved = [moved_positions(i, meshes, ends) for i in scene.get("instances", [])] if shutter else [None] * len(instances)
     lights = [checked_light(entry, index) for index, entry in enumerate(scene.get("lights", []))]
     scale = chosen_scale(scale_option, descriptions, meshes, instances, lights)
     print(f"orbs: scale {scale:.9g}", flush=True)
@@ -107,7 +112,7 @@ def build(scene, folder, scale_option):
     materials = {name: make_material(m, around) for name, m in descriptions.items()}
     add_camera(scene["camera"], scale, farthest_distance(scene["camera"]["position"], meshes, instances, lights))
     add_environment(scene.get("environment", [0, 0, 0]))
-    add_instances(meshes, instances, materials, scale)
+    add_instances(meshes, instances, materials, scale, moved, shutter)
     for index, light in enumerate(lights):
         add_light(light, f"light {index}", folder, scale)
     # Cycles' roulette would act on the factor 1 / ior^2 that a path carries in glass, which only adds noise.
@@ -142,12 +147,54 @@ def make_material(description, around):
     return cycles_materials.make_material(description, around)
 
 
+def read_triangles(entry, place, folder):
+    if not entry["file"].endswith(".ply"):
+        raise SceneError(f"{place}: only lowered meshes (binary PLY) can be read, found {entry['file']}")
+    return cycles_meshes.read_ply(os.path.join(folder, entry["file"]))
+
+
+def read_end(mesh, start, folder):
+    """Returns where the vertices are at the end of the frame. The normals of flat triangles follow from them; those of
+    smooth ones are carried along by Blender, which has none of its own for the end."""
+    place = f"mesh '{mesh['name']}': end"
+    end = read_triangles(checked(mesh["end"], place, ["file"]), place, folder)
+    if len(end.positions) != len(start.positions):
+        raise SceneError(f"{place} has another number of vertices than the start")
+    if any(start.smooth):
+        raise SceneError(f"{place}: smooth normals at two times cannot be handed to Blender")
+    return end.positions
+
+
+def checked_shutter(camera):
+    """Returns the times at which the shutter opens and closes, in frames; None where the scene is at rest."""
+    shutter = camera.get("shutter")
+    if shutter is None:
+        return None
+    if len(shutter) != 2 or not 0 <= shutter[0] < shutter[1] <= 1:
+        raise SceneError(f"camera: shutter must be two ascending times in [0, 1], is {shutter}")
+    return shutter
+
+
+def moved_positions(instance, meshes, ends):
+    """Returns the vertices at the end of the frame, in the space of the instance at its start; None for one at rest.
+    Matrices are linear in time, so each vertex moves on a straight line, as a shape key moves it."""
+    end_matrix, mesh = instance.get("end_matrix"), instance["mesh"]
+    if end_matrix is None:
+        return ends.get(mesh)
+    if mesh in ends:
+        raise SceneError(f"instance '{instance.get('name')}' moves, and its mesh changes its shape: both at once are not "
+                         "linear in time, as shape keys are")  # fmt: skip
+    place = f"instance '{instance.get('name')}'"
+    to_end = world_matrix(checked_matrix(instance, place), 1.0).inverted() @ world_matrix(
+        checked_matrix({"matrix": end_matrix}, place), 1.0)
+    p = meshes[mesh][0].positions
+    return array("f", (x for i in range(0, len(p), 3) for x in to_end @ Vector(p[i : i + 3])))
+
+
 def read_mesh(mesh, folder):
     place = f"mesh '{mesh.get('name')}'"
-    checked(mesh, place, ["name", "file", "materials"])
-    if not mesh["file"].endswith(".ply"):
-        raise SceneError(f"{place}: only lowered meshes (binary PLY) can be read, found {mesh['file']}")
-    triangles = cycles_meshes.read_ply(os.path.join(folder, mesh["file"]))
+    checked(mesh, place, ["name", "file", "materials"], ["end"])
+    triangles = read_triangles(mesh, place, folder)
     if any(not 0 <= slot < len(mesh["materials"]) for slot in triangles.materials):
         raise SceneError(f"{place}: a face names a material outside the mesh's list")
     return triangles, mesh["materials"]
@@ -156,7 +203,7 @@ def read_mesh(mesh, folder):
 def checked_instance(instance, meshes, materials):
     """Returns name, mesh name, matrix, and the material name of each slot after the remap list."""
     place = f"instance '{instance.get('name')}'"
-    checked(instance, place, ["mesh"], ["name", "matrix", "remap"])
+    checked(instance, place, ["mesh"], ["name", "matrix", "end_matrix", "remap"])
     remap = instance.get("remap", [])
     if len(remap) % 2:
         raise SceneError(f"{place}: remap must hold pairs")
@@ -249,7 +296,7 @@ def clip_distances(scale, farthest):
 
 def add_camera(camera, scale, farthest):
     checked(camera, "camera", ["position", "look_at"],
-            ["up", "fov_y", "width", "height", "near", "far", "focus_distance"])  # fmt: skip
+            ["up", "fov_y", "width", "height", "near", "far", "focus_distance", "shutter", "end"])  # fmt: skip
     position = Vector(camera["position"])
     back = (position - Vector(camera["look_at"])).normalized()  # Blender cameras look along local -Z, up is +Y
     right = Vector(camera.get("up", (0, 1, 0))).cross(back).normalized()
@@ -264,7 +311,37 @@ def add_camera(camera, scale, farthest):
     item.matrix_world = Matrix.Translation(scale * position) @ axes
     scene = bpy.context.scene
     scene.camera = item
+    if "end" in camera:
+        slide_camera(item, scale * camera_way(camera), checked_shutter(camera))
     scene.render.resolution_x, scene.render.resolution_y = camera.get("width", 1024), camera.get("height", 1024)
+
+
+def camera_way(camera):
+    """Returns how far the camera moves in a frame. Blender would turn it by an angle, which is not linear in time."""
+    end = checked(camera["end"], "camera: end", ["position", "look_at", "up"])
+    way, target_way, up_way = (Vector(end[key]) - Vector(camera[key]) for key in ("position", "look_at", "up"))
+    if (way - target_way).length > 1e-6 * (1 + way.length) or up_way.length > 1e-6:
+        raise SceneError("camera: it turns as it moves, and Blender turns by angles, not linearly in time")
+    return way
+
+
+def slide_camera(item, way, shutter):
+    start = item.location.copy()
+    for frame, time in zip((FRAME, FRAME + 1), shutter):
+        item.location = start + time * way
+        item.keyframe_insert("location", frame=frame)
+    open_shutter(item.animation_data.action)
+
+
+def open_shutter(action):
+    """Moves by the action evenly between its two keys: Blender's shutter is open for one of its frames, from FRAME on."""
+    for curve in action.fcurves:
+        for point in curve.keyframe_points:
+            point.interpolation = "LINEAR"
+    render = bpy.context.scene.render
+    render.use_motion_blur, render.motion_blur_shutter = True, 1.0
+    bpy.context.scene.cycles.motion_blur_position = "START"
+    bpy.context.scene.frame_set(FRAME)
 
 
 def add_environment(radiance):
@@ -277,17 +354,33 @@ def add_environment(radiance):
     world.cycles.sampling_method = "NONE"  # BSDF sampling is best for a constant.
 
 
-def add_instances(meshes, instances, materials, scale):
+def add_instances(meshes, instances, materials, scale, moved, shutter):
     data = {}
-    for name, mesh, matrix, slots in instances:
+    for (name, mesh, matrix, slots), end_positions in zip(instances, moved):
         triangles, own_slots = meshes[mesh]
-        if mesh not in data:
-            data[mesh] = cycles_meshes.make_mesh(mesh, triangles, [materials.get(slot) for slot in own_slots])
-        item = add_object(name, data[mesh], world_matrix(matrix, scale))
+        shared = data.get(mesh) if end_positions is None else None
+        if shared is None:
+            shared = cycles_meshes.make_mesh(mesh, triangles, [materials.get(slot) for slot in own_slots])
+        if end_positions is None:
+            data[mesh] = shared
+        item = add_object(name, shared, world_matrix(matrix, scale))
+        if end_positions is not None:
+            add_motion(item, end_positions, shutter)
         for slot, own, replaced in zip(item.material_slots, own_slots, slots):
             if own != replaced:
                 slot.link = "OBJECT"
                 slot.material = materials[replaced]
+
+
+def add_motion(item, end_positions, shutter):
+    """Moves the vertices on straight lines: by a shape key, whose value is the time in our frame."""
+    item.shape_key_add(name="start")
+    key = item.shape_key_add(name="end")
+    key.data.foreach_set("co", end_positions)
+    for frame, value in zip((FRAME, FRAME + 1), shutter):
+        key.value = value
+        key.keyframe_insert("value", frame=frame)
+    open_shutter(key.id_data.animation_data.action)
 
 
 def add_light(light_shape_matrix, name, folder, scale):

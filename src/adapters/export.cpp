@@ -10,12 +10,16 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "registry/configuration.h"
+#include "scene/geometry/extent.h"
 #include "scene/load/write_scene.h"
 #include "scene/lower/lower.h"
+#include "scene/relations/motion.h"
 
 #include <cassert>
 #include <cmath>
 #include <set>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -24,6 +28,23 @@ namespace orbs::adapters {
 
 namespace {
 
+// Of every format. 1: the origin of the coordinates is near the camera, as readers keep them in floats
+// (scene/geometry/extent.h). 0: it is the scene's own, which shows what a renderer makes of large
+// coordinates; the default of the project's own format, whose readers get the scene as it is.
+constexpr SceneSetting kOriginNearCamera{.name = "origin_near_camera", .is_whole = true};
+
+std::vector<SceneSetting> settings_of(const Exporter& exporter) {
+  auto settings = exporter.settings;
+  settings.push_back(kOriginNearCamera);
+  return settings;
+}
+
+bool moves_origin(const Exporter& exporter, const SceneSettings& settings) {
+  const auto setting = settings.find(kOriginNearCamera.name);
+  return setting == settings.end() ? exporter.format != std::string_view(registry::kNeutralFormat)
+                                   : setting->second != 0;
+}
+
 void check_setting(const registry::Renderer& renderer, const SceneSetting& setting, double value) {
   constexpr double kHighest = 1e8;
   const bool is_right = value >= 0 && value <= kHighest && (!setting.is_whole || value == std::floor(value));
@@ -31,6 +52,11 @@ void check_setting(const registry::Renderer& renderer, const SceneSetting& setti
     throw InputError(fmt::format("{}: scene_settings: {} is {}; expected a {} from 0 to {}",
                                  entry_name(renderer), setting.name, value,
                                  setting.is_whole ? "whole number" : "number", kHighest));
+}
+
+scene::Scene with_origin_near_camera(const scene::Scene& scene) {
+  const Vec3d origin = scene::origin_near(scene::extent_of(scene));
+  return origin == Vec3d{} ? scene : scene::moved(scene, translation(Vec3d{} - origin));
 }
 
 }  // namespace
@@ -45,7 +71,7 @@ void check_scene_format(const registry::Renderer& renderer) {
 
 void check_scene_settings(const registry::Renderer& renderer) {
   const auto* exporter = find_exporter(renderer.format.name);
-  const auto settings = exporter == nullptr ? std::vector<SceneSetting>{} : exporter->settings;
+  const auto settings = exporter == nullptr ? std::vector<SceneSetting>{} : settings_of(*exporter);
   std::set<std::string> known;
   for (const auto& setting : settings) known.insert(setting.name);
   for (const auto& [name, value] : renderer.format.settings) {
@@ -77,9 +103,11 @@ std::variant<scene::Scene, std::string> prepare_scene(const registry::Renderer& 
   const auto* exporter = find_exporter(renderer.format.name);
   check_scene_format(renderer);
   if (exporter == nullptr) return "it reads hand-written scenes only";
-  const auto limits = exporter->limits(std::get<scene::Scene>(lowered), renderer.format.settings);
+  auto prepared = std::get<scene::Scene>(std::move(lowered));
+  if (moves_origin(*exporter, renderer.format.settings)) prepared = with_origin_near_camera(prepared);
+  const auto limits = exporter->limits(prepared, renderer.format.settings);
   if (!limits.empty()) return limits.front();
-  return lowered;
+  return prepared;
 }
 
 void export_scene(const registry::Renderer& renderer,

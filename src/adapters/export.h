@@ -18,8 +18,9 @@ void check_scene_format(const registry::Renderer& renderer);
 /// know, or a value that makes no sense there.
 void check_scene_settings(const registry::Renderer& renderer);
 
-/// The scene in the form that the renderer can read: lowered to what it declares and checked against the
-/// limits of the format; or the reason why there is none.
+/// The scene in the form that the renderer can read: lowered to what it declares, with an origin of
+/// coordinates near its camera unless the setting "origin_near_camera" is 0, and checked against the limits
+/// of the format; or the reason why there is none.
 std::variant<scene::Scene, std::string> prepare_scene(const registry::Renderer& renderer,
                                                       const scene::Scene& scene);
 

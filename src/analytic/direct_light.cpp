@@ -1,6 +1,7 @@
 #include "analytic/direct_light.h"
 
 #include "analytic/form_factor.h"
+#include "analytic/motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,21 +73,27 @@ double candela_factor(const registry::AnalyticSource& source, Vec3d point) {
 }
 
 // All surfaces in whose plane the point does not lie, relative to it: that leaves out its own.
-std::vector<Corners> blockers_at(const registry::DirectLight& image, Vec3d point) {
+std::vector<Corners> blockers_at(const registry::DirectLight& image, Vec3d point, double time) {
   std::vector<Corners> blockers;
   if (!image.has_shadows) return blockers;
   for (const auto& surface : image.surfaces) {
-    auto corners = seen_from(point, std::get<registry::FlatPolygon>(surface.shape).corners);
+    auto corners = seen_from(point, corners_at(std::get<registry::FlatPolygon>(surface.shape), time));
     if (!lies_in_plane(corners)) blockers.push_back(std::move(corners));
   }
   return blockers;
 }
 
-double lit(const registry::DirectLight& image, double reflectance, Vec3d point, Vec3d normal) {
+registry::AnalyticShape shape_at(const registry::AnalyticShape& shape, double time) {
+  const auto* polygon = std::get_if<registry::FlatPolygon>(&shape);
+  return polygon == nullptr ? shape : registry::FlatPolygon{corners_at(*polygon, time)};
+}
+
+double lit(
+    const registry::DirectLight& image, double reflectance, Vec3d point, Vec3d normal, double time = 0) {
   double sum = image.environment;
-  const auto blockers = blockers_at(image, point);
+  const auto blockers = blockers_at(image, point, time);
   for (const auto& source : image.sources) {
-    const auto seen = coverage(source.shape, source.window, blockers, point, normal);
+    const auto seen = coverage(shape_at(source.shape, time), source.window, blockers, point, normal);
     const double radiance = seen.shows_front ? source.radiance * candela_factor(source, point) : 0;
     // What is seen through a window, a mirror's say, hides nothing.
     sum += seen.form_factor * (radiance - (source.window.empty() ? image.environment : 0));
@@ -94,9 +101,70 @@ double lit(const registry::DirectLight& image, double reflectance, Vec3d point, 
   return reflectance * sum;
 }
 
+// Where the ray meets a surface, and when, while the shutter is open.
+struct TimedHit {
+  Hit hit;
+  TimeIntervals times;
+  const registry::AnalyticSurface* met = nullptr;
+};
+
+std::vector<TimedHit> timed_hits(const registry::DirectLight& image, const Ray& ray, TimeInterval open) {
+  std::vector<TimedHit> hits;
+  for (const auto& surface : image.surfaces) {
+    const auto* polygon = std::get_if<registry::FlatPolygon>(&surface.shape);
+    if (polygon == nullptr || polygon->end_corners.empty()) {
+      if (const auto hit = std::visit(Intersect{ray}, surface.shape))
+        hits.push_back({*hit, {open}, &surface});
+      continue;
+    }
+    const auto& corners = polygon->corners;
+    const auto normal = normalised(cross(corners[1] - corners[0], corners[2] - corners[0]));
+    const auto hit = Intersect{ray}.plane(corners.front(), normal);
+    if (!hit) continue;
+    auto times = times_inside(*polygon, ray.origin + ray.direction * hit->distance, open);
+    if (!times.empty()) hits.push_back({*hit, std::move(times), &surface});
+  }
+  std::stable_sort(hits.begin(), hits.end(),
+                   [](const auto& a, const auto& b) { return a.hit.distance < b.hit.distance; });
+  return hits;
+}
+
+// The radiance that the surface shows, over these times.
+double integral_over(const registry::DirectLight& image,
+                     const TimedHit& seen,
+                     const Ray& ray,
+                     const TimeIntervals& times) {
+  const bool is_front = dot(seen.hit.normal, ray.direction) < 0;
+  const bool shines = is_front || std::holds_alternative<registry::FormulaSphere>(seen.met->shape);
+  const auto point = ray.origin + ray.direction * seen.hit.distance;
+  double sum = 0;
+  for (const auto& interval : times)
+    sum += seen.met->reflectance ? integral(
+                                       [&](double time) {
+                                         return lit(image, *seen.met->reflectance, point,
+                                                    is_front ? seen.hit.normal : -seen.hit.normal, time);
+                                       },
+                                       interval)
+                                 : (shines ? seen.met->radiance : 0) * (interval.to - interval.from);
+  return sum;
+}
+
+double mean_over_shutter(const registry::DirectLight& image, const Ray& ray) {
+  const TimeInterval open{image.shutter->front(), image.shutter->back()};
+  TimeIntervals left{open};
+  double sum = 0;
+  for (const auto& seen : timed_hits(image, ray, open)) {
+    sum += integral_over(image, seen, ray, common(left, seen.times));
+    left = without(left, seen.times);
+  }
+  for (const auto& interval : left) sum += image.environment * (interval.to - interval.from);
+  return sum / (open.to - open.from);
+}
+
 }  // namespace
 
 double direct_light(const registry::DirectLight& image, const Ray& ray) {
+  if (image.shutter) return mean_over_shutter(image, ray);
   Hit nearest;
   const registry::AnalyticSurface* met = nullptr;
   for (const auto& surface : image.surfaces)

@@ -22,8 +22,8 @@ namespace {
 
 struct StabilityOptions {
   RunOptions run;
-  std::vector<std::string> files, relations;
-  std::string output, resume, show;
+  std::vector<std::string> files, relations, show;
+  std::string output, resume;
   studies::StabilitySettings settings;
   bool as_markdown = false;
 };
@@ -58,7 +58,8 @@ void add_folder_options(const command_line::Command& command, StabilityOptions& 
   const auto show =
       command
           .add_option("--show", options.show,
-                      "Print the tables of a study (its folder or stability.json) and render nothing")
+                      "Print the tables of a study (its folder or stability.json) and render nothing; of "
+                      "several with the same scenes and settings, one table of all their renderers")
           .not_empty("a folder or a file");
   resume.excludes(output);
   show.excludes(output).excludes(resume);
@@ -76,6 +77,18 @@ void print(const studies::StabilityRecord& record, bool as_markdown) {
 }
 
 int status_of(const studies::StabilityRecord& record) { return studies::all_hold(record) ? 0 : 1; }
+
+// Their images lie beside the files, so that the tables can show them.
+studies::StabilityRecord shown(const std::vector<std::string>& places) {
+  std::vector<studies::StabilityRecord> records;
+  for (const auto& place : places) {
+    const auto file = stability_file(place);
+    records.push_back(studies::read_stability_file(file));
+    for (auto& step : records.back().steps)
+      if (!step.images.empty()) step.images = (file.parent_path() / step.images).string();
+  }
+  return studies::joined(records);
+}
 
 // The scenes of these files, known by their names without folder and ending.
 std::vector<run::PlannedScene> scenes_of(const std::vector<std::string>& files) {
@@ -138,7 +151,7 @@ void add_stability_command(const command_line::Command& command, const Program& 
     action = [=, &program] {
       if (options->show.empty())
         return measure(command, read_configuration(*configuration, program), *options, program);
-      const auto record = studies::read_stability_file(stability_file(options->show));
+      const auto record = shown(options->show);
       print(record, options->as_markdown);
       return status_of(record);
     };

@@ -31,8 +31,34 @@ AnalyticShape load_shape(ObjectReader& in) {
   return FormulaSphere{in.vec3("centre"), in.number("radius", json::kPositive)};
 }
 
+Vec3d normal_of(const std::vector<Vec3d>& corners) {
+  return cross(corners[1] - corners[0], corners[2] - corners[0]);
+}
+
+// Only then does a ray meet the polygon's plane in one point at all times.
+void check_stays_in_plane(const ObjectReader& in, const FlatPolygon& polygon) {
+  constexpr double kRounding = 1e-9;
+  const auto& [start, end] = polygon;
+  if (end.size() != start.size())
+    in.fail("end_corners", fmt::format("must be as many as 'corners', {}", start.size()));
+  const Vec3d normal = normalised(normal_of(start));
+  for (const Vec3d corner : end)
+    if (std::fabs(dot(normal, corner - start.front())) > kRounding * (1 + largest_magnitude(corner)))
+      in.fail("end_corners", "must lie in the plane of 'corners': other motion has no closed form here");
+  if (!(dot(normal, normal_of(end)) > 0)) in.fail("end_corners", "must run the same way round as 'corners'");
+}
+
+void load_end(ObjectReader& in, AnalyticShape& shape) {
+  if (!in.has("end_corners")) return;
+  auto* polygon = std::get_if<FlatPolygon>(&shape);
+  if (polygon == nullptr) in.fail("end_corners", "only polygons move");
+  polygon->end_corners = load_corners(in, "end_corners");
+  check_stays_in_plane(in, *polygon);
+}
+
 AnalyticSurface load_surface(ObjectReader in) {
   AnalyticSurface surface{load_shape(in), in.number_or("radiance", 0, json::kNotNegative), {}};
+  load_end(in, surface.shape);
   if (in.has("reflectance")) {
     if (std::holds_alternative<RoundDisk>(surface.shape))
       in.fail("reflectance", "only polygons and spheres are lit; give the disk a radiance");
@@ -44,6 +70,7 @@ AnalyticSurface load_surface(ObjectReader in) {
 
 AnalyticSource load_source(ObjectReader in) {
   AnalyticSource source{load_shape(in), in.number_or("radiance", 0, json::kNotNegative), {}, {}, {}};
+  load_end(in, source.shape);
   if (in.has("window")) source.window = load_corners(in, "window");
   if (in.has("candela")) {
     source.candela_centre = in.vec3("candela_centre");
@@ -55,6 +82,22 @@ AnalyticSource load_source(ObjectReader in) {
   return source;
 }
 
+void load_shutter(ObjectReader& in, DirectLight& image) {
+  const auto is_moving = [](const auto& one) {
+    const auto* polygon = std::get_if<FlatPolygon>(&one.shape);
+    return polygon != nullptr && !polygon->end_corners.empty();
+  };
+  const bool moves = std::any_of(image.surfaces.begin(), image.surfaces.end(), is_moving) ||
+                     std::any_of(image.sources.begin(), image.sources.end(), is_moving);
+  if (moves != in.has("shutter"))
+    in.fail("shutter", moves ? "is needed where something has 'end_corners'"
+                             : "has no effect: nothing has 'end_corners'");
+  if (!moves) return;
+  const auto times = in.numbers("shutter", 2, {0, 1});
+  if (!(times[0] < times[1])) in.fail("shutter", "must open before it closes");
+  image.shutter = std::array{times[0], times[1]};
+}
+
 DirectLight load_direct_light(ObjectReader& in) {
   DirectLight image;
   image.environment = in.number_or("environment", 0, json::kNotNegative);
@@ -62,6 +105,7 @@ DirectLight load_direct_light(ObjectReader& in) {
   for (auto& entry : in.objects_or_none("sources")) image.sources.push_back(load_source(std::move(entry)));
   if (image.surfaces.empty()) in.fail("surfaces", "must hold at least one surface");
   image.has_shadows = in.boolean_or("shadows", false);
+  load_shutter(in, image);
   const auto is_polygon = [](const auto& one) { return std::holds_alternative<FlatPolygon>(one.shape); };
   if (image.has_shadows && !(std::all_of(image.surfaces.begin(), image.surfaces.end(), is_polygon) &&
                              std::all_of(image.sources.begin(), image.sources.end(), is_polygon)))

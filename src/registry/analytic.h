@@ -11,7 +11,8 @@
 #include <vector>
 
 /// Images that follow from a formula: what a case states of them. orbs::analytic computes them; no renderer
-/// has a part in it.
+/// has a part in it. They are seen by the camera as it is at the start of the frame: where it moves, what is
+/// said to move is what moves against it.
 namespace orbs::registry {
 
 /// Every pixel has this linear Rec.709 radiance.
@@ -23,6 +24,8 @@ struct ConstantImage {
 /// counter-clockwise; it must be flat and convex.
 struct FlatPolygon {
   std::vector<Vec3d> corners;
+  /// At the end of the frame, in the same plane, of one that moves: linear in time between. Else empty.
+  std::vector<Vec3d> end_corners{};
 };
 struct RoundDisk {
   Vec3d centre;
@@ -57,6 +60,8 @@ struct AnalyticSource {
 struct DirectLight {
   double environment = 0;
   bool has_shadows = false;
+  std::optional<std::array<double, 2>>
+      shutter{};  // opens and closes, if something moves; a pixel is the mean
   std::vector<AnalyticSurface> surfaces;
   std::vector<AnalyticSource> sources;
 };

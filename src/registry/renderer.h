@@ -126,7 +126,10 @@ void fields(Visitor& visit, Record& format) {
       {.help =
            "`orbs-scene`, `povray`, `mitsuba`, `pbrt`, `hydra`, `gltf`, `obj`, `ply`, or `native` for hand-written scenes only"});
   visit("scene_settings", format.settings,
-        {.help = "Numbers for the exporter of the scene format, such as POV-Ray's `photons`"});
+        {.help =
+             "Numbers for the exporter of the scene format, such as POV-Ray's `photons`. Every format has "
+             "`origin_near_camera`: 1 moves the origin of the coordinates of a scene that is far from it, 0 "
+             "leaves it; without it `orbs-scene` is left as it is, and the others are moved"});
   // Those that a render gets are in scene_settings by then, see at_size() and for_scene().
   visit("scene_settings_of_sizes", format.settings_of_sizes,
         {.help = "Numbers in place of those at a reduced size: `{\"1/4\": {\"photons\": 800000}}`",

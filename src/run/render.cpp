@@ -15,6 +15,8 @@
 #include "run/prepare.h"
 #include "run/program_hash.h"
 
+#include <cstdint>
+
 #include <fmt/format.h>
 
 namespace orbs::run {
@@ -88,6 +90,14 @@ RenderJob job_of(const PreparedRender& prepared, const RenderSettings& settings)
   return job;
 }
 
+// The seed of a sequence is the number of images that a process renders, of which the last one counts.
+double images_for_each(const RenderJob& job) {
+  if (job.renderer.command.sequence.words.empty()) return 1;
+  std::int64_t images = 0;
+  for (const auto& replica : job.replicas) images += replica.seed;
+  return static_cast<double>(images) / static_cast<double>(job.replicas.size());
+}
+
 RenderCost cost_of(const PreparedRender& prepared, const RenderSettings& settings, const Rendered& rendered) {
   RenderCost cost;
   cost.spp = settings.spp;
@@ -111,14 +121,17 @@ RenderCost cost_of(const PreparedRender& prepared, const RenderSettings& setting
 std::optional<RenderedImage> render_once(const PreparedRender& prepared,
                                          const RenderSettings& settings,
                                          const std::atomic<bool>* stop) {
-  auto rendered = render(job_of(prepared, settings), stop);
+  const auto job = job_of(prepared, settings);
+  auto rendered = render(job, stop);
   if (rendered.outcome.kind == results::JobOutcome::Skipped) return std::nullopt;
   const auto& output = rendered.processes.back().output;
   if (!rendered.outcome.image)
     throw InputError(fmt::format("renderer '{}' {}; {}", prepared.renderer.entry.name,
                                  rendered.outcome.reason,
                                  output.empty() ? "it said nothing" : "it said:\n" + output));
-  return RenderedImage{cost_of(prepared, settings, rendered), std::move(*rendered.outcome.image)};
+  RenderedImage made{cost_of(prepared, settings, rendered), std::move(*rendered.outcome.image)};
+  made.cost.images = images_for_each(job);
+  return made;
 }
 
 namespace {

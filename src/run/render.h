@@ -28,6 +28,8 @@ struct RenderCost {
   std::optional<double> samples_cpu_seconds = {};  // likewise: without start, reading and writing
   std::optional<double> render_seconds = {};       // that the renderer states, see registry::RenderSeconds
   std::optional<double> trial_seconds = {};        // likewise: the part of them that trial renderings took
+  /// Images for each one that counts: more than 1 where a seed is the last of as many images of a run.
+  double images = 1;
 };
 
 /// A renderer and the scene file that has been written for it.

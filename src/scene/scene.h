@@ -28,6 +28,22 @@
 /// REQ_L1). Objects refer to each other by index into the vectors of Scene.
 namespace orbs::scene {
 
+/// When the shutter of the camera is open, in lengths of a frame: 0 is its start, 1 its end. The image is the
+/// mean over the times between; without a length it shows an instant.
+struct Shutter {
+  double open = 0;
+  double close = 0;
+  bool operator==(const Shutter&) const = default;
+};
+
+/// Where the camera is and looks at the end of the frame. See motion.h for the times between.
+struct CameraEnd {
+  Vec3d position_m;
+  Vec3d look_at_m;
+  Vec3d up{0, 1, 0};
+  bool operator==(const CameraEnd&) const = default;
+};
+
 /// gluLookAt and glFrustum as in ORB.S REQ_G2. Near and far planes do not clip: they are part of the OpenGL
 /// matrix only.
 struct Camera {
@@ -40,6 +56,8 @@ struct Camera {
   double near_m = 0.1;
   double far_m = 100;
   std::optional<double> focus_distance_m;  // ORB.S "camera distance"; a pinhole has no use for it
+  Shutter shutter;
+  std::optional<CameraEnd> end = std::nullopt;  // of a camera that moves
   bool operator==(const Camera&) const = default;
 };
 
@@ -51,6 +69,8 @@ struct Instance {
   int mesh = 0;
   Mat4 matrix;
   std::vector<std::pair<int, int>> remap;
+  /// At the end of the frame, of an instance that moves; `matrix` is that of its start.
+  std::optional<Mat4> end_matrix = std::nullopt;
   bool operator==(const Instance&) const = default;
 };
 

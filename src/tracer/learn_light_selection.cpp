@@ -7,6 +7,7 @@
 #include "tracer/geometry/transforms.h"
 #include "tracer/integrator/light_sampling.h"
 #include "tracer/integrator/make_bsdf.h"
+#include "tracer/integrator/timed_camera_ray.h"
 #include "tracer/render/render_clock.h"
 #include "tracer/sampling/warps.h"
 #include "tracer/transport/rgb_transport.h"
@@ -56,7 +57,8 @@ void try_light(Walk& walk,
                const World& world,
                const LightSampleContext& at,
                const SurfacePoint& point,
-               const std::array<float, 4>& u) {
+               const std::array<float, 4>& u,
+               float time) {
   const double pick = with_more_digits(u[0], u[3]);
   const auto selected = world.light_bvh.select(at, pick);
   if (!selected) return;
@@ -71,7 +73,7 @@ void try_light(Walk& walk,
   walk.shadowed.push_back(walk.trials.size() - 1);
   const Vec3f from = offset_origin(point.position, point.position_error, point.geometric_normal,
                                    light->target - at.position);
-  walk.shadow_rays.push_back({from, light->target - from, 1});
+  walk.shadow_rays.push_back({from, light->target - from, 1, 0, time});
 }
 
 /// Tries a light where the path has arrived and scatters it; false if it ends.
@@ -91,15 +93,16 @@ bool advance(Walk& walk, const World& world, WalkingPath& path, const Hit& hit, 
       {world, {point, material, hit}, side > 0, lambda, path.throughput, walk.block, path.index, bounce});
   if (!is_delta(bsdf)) {
     const LightSampleContext at{point.position, event_of(bsdf) == Event::Diffuse ? frame.z : Vec3f{}};
-    try_light(walk, world, at, point, draw(walk.block, path.index, bounce, SampleDimension::Light));
+    try_light(walk, world, at, point, draw(walk.block, path.index, bounce, SampleDimension::Light),
+              path.ray.time);
   }
   const auto chosen =
       sample(bsdf, frame.to_local(to_viewer), draw(walk.block, path.index, bounce, SampleDimension::Scatter));
   if (!chosen) return false;
   const Vec3f direction = frame.to_world(chosen->wi);
   if (!sides_agree(point.geometric_normal, point.shading_normal, direction)) return false;
-  path.ray = {offset_origin(point.position, point.position_error, point.geometric_normal, direction),
-              direction};
+  path.ray.origin = offset_origin(point.position, point.position_error, point.geometric_normal, direction);
+  path.ray.direction = direction;
   return true;
 }
 
@@ -118,8 +121,8 @@ std::vector<LightTrial> trials_of_block(const World& world, int number) {
       sample_block(kLearningSeed, static_cast<std::uint32_t>(number), 0, {Sampler::Sobol, kPathsPerBlock});
   for (std::uint32_t i = 0; i < kPathsPerBlock; ++i) {
     const auto u = draw(walk.block, i, 0, SampleDimension::PixelAndFirstLight);
-    walk.paths.push_back({camera_ray(world.camera, u[0] * static_cast<float>(world.camera.width),
-                                     u[1] * static_cast<float>(world.camera.height)),
+    walk.paths.push_back({timed_camera_ray(world, u[0] * static_cast<float>(world.camera.width),
+                                           u[1] * static_cast<float>(world.camera.height), walk.block, i),
                           i});
   }
   const int surfaces = std::min(kMostSurfaces, world.trace_depth);

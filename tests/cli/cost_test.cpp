@@ -137,6 +137,38 @@ TEST(Cost, AStudyOfAnEarlierVersionIsShown) {
   EXPECT_FALSE(contains(answer.text, "seeds of")) << "of a study that had all the time that it wanted";
 }
 
+// The fake starts in 0.05 s and takes 0.02 s for each sample of each image, and the last image of a process
+// counts.
+TEST(Cost, OfASequenceOfImagesTheTimeOfOneCounts) {
+  const Sandbox sandbox;
+  replace_in(sandbox, "configuration.json", R"("renderers": [)", R"("renderers": [{"name": "sequence",
+  "executable": "{build}/orbs-fake-renderer", "declares": "G5/M8",
+  "image_sequence": {"words": ["--image", "0"], "suffix": "_last"},
+  "command": ["{executable}", "--mode", "sequence", "--output", "{output}", "--scene", "{scene}", "--width", "{width}",
+              "--height", "{height}", "--grey", "0.5", "--spp", "{spp}", "{images}"]},)");
+  const auto answer =
+      sandbox.orbs({"cost", "-r", "sequence", "-s", "grey", "--sweep", "2,4", "--seeds", "2", "-o", "c"});
+  ASSERT_EQ(answer.status, 0) << answer.text;
+  auto record = record_of(sandbox, "c");
+  ASSERT_EQ(record.renderers.at(0).sequence_images, 1);
+  for (auto& render : record.renders) {
+    render.other_share = 0;  // or those beside other work are left out
+    const bool is_fixed = render.purpose == studies::Purpose::FixedCost;
+    EXPECT_EQ(render.images, is_fixed ? 1 : render.seed);
+    if (is_fixed) continue;
+    EXPECT_GE(render.images, 4) << "the first three have samples of the pilot or of the setting before";
+    EXPECT_GE(render.cpu_seconds, 0.05 + render.images * 0.02 * render.spp);
+  }
+  const auto numbers = studies::cost_numbers(record);
+  const auto& curve = numbers.curves.at(0);
+  ASSERT_TRUE(curve.fixed_cpu_seconds);
+  EXPECT_NEAR(curve.fixed_cpu_seconds->value, 0.1, 0.05);
+  ASSERT_EQ(curve.points.size(), 2);
+  for (const auto& point : curve.points)
+    EXPECT_NEAR(point.cpu_seconds.value - curve.fixed_cpu_seconds->value, 0.02 * point.setting.spp, 0.03);
+  ASSERT_TRUE(numbers.self_comparison);
+}
+
 TEST(Cost, StartTrialsAndOwnTimeOfARenderAreApart) {
   const Sandbox sandbox;
   sandbox.add_to_good(

@@ -58,6 +58,25 @@ TEST(Stability, PrecisionIsForEntriesThatNameItsArguments) {
   EXPECT_TRUE(contains(record.steps[0].reason, "double_precision")) << record.steps[0].reason;
 }
 
+// pbrt has no mirror that is coloured.
+TEST(Stability, ASceneThatTheRendererCannotRenderIsNotApplicable) {
+  const Sandbox sandbox;
+  sandbox.add_to_good(R"(, "scene_format": "pbrt")");
+  auto scene = sandbox.read("cases/m3_mirror/mirror.json");
+  scene.replace(scene.find("[0.5,0.5,0.5]"), 13, "[0.9,0.5,0.1]");
+  sandbox.write("coloured.json", scene);
+  const auto answer = sandbox.orbs(
+      {"stability", "coloured.json", "-r", "good", "--relation", "rotate,translate_matrix", "-o", "s"});
+  EXPECT_EQ(answer.status, 1) << answer.text;
+  const auto record = record_of(sandbox, "s");
+  ASSERT_EQ(record.steps.size(), 2);
+  for (const auto& step : record.steps) {
+    EXPECT_EQ(step.outcome, studies::StepOutcome::NotApplicable);
+    EXPECT_TRUE(contains(step.reason, "cannot render the scene: material 'm'")) << step.reason;
+  }
+  EXPECT_TRUE(contains(answer.text, "not applicable")) << answer.text;
+}
+
 TEST(Stability, ARendererWithoutImagesBreaks) {
   const Sandbox sandbox;
   const auto answer =

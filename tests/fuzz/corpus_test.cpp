@@ -50,6 +50,7 @@ const std::vector<Refused> kRefused{
      "/camera/position/0: must lie in [-1000000000000, 1000000000000], is 1e+308"},
     {"scene", "sphere_without_size.json", "/lights/0/radius: times the matrix is too small a sphere"},
     {"scene", "mesh_beyond_floats.json", "/meshes/0: position 0 lies farther out than 1000000000000 m"},
+    {"scene", "motion_without_way_back.json", "/instances/0/end_matrix: the matrices between start and end"},
     {"scene", "zero_in_file.json", "/textures/0/file: must not hold a zero byte"},
     {"configuration", "zero_in_name.json", "/renderers/0/name: must not hold a zero byte"},
     {"configuration", "zero_in_command.json", "/renderers/0/command/3: must not hold a zero byte"},
@@ -119,6 +120,7 @@ TEST(HostileInputCorpus, WhatWasFoundOnceIsRefusedAtItsPlace) {
 
 TEST(HostileInputCorpus, SeedsThatAreRightAreRead) {
   const std::vector<std::pair<const char*, const char*>> right{{"scene", "whole.json"},
+                                                               {"scene", "motion.json"},
                                                                {"scene", "generators.json"},
                                                                {"configuration", "whole.json"},
                                                                {"case", "whole.json"},

@@ -18,7 +18,8 @@ except ImportError:
 SCENE = {
     "format": "orbs-scene/1",
     "name": "all kinds",
-    "camera": {"position": [0, 0, 1], "look_at": [0, 0, 0], "fov_y": 45, "width": 8, "height": 8},
+    "camera": {"position": [0, 0, 1], "look_at": [0, 0, 0], "fov_y": 45, "width": 8, "height": 8, "shutter": [0, 0.5],
+               "end": {"position": [1, 0, 1]}},
     "cameras": {"left-1": {"position": [0, 0, 2], "look_at": [0, 0, 0]}},
     "textures": [{"name": "t", "file": "t.png", "wrap_u": "clamp"}],
     "materials": [
@@ -47,9 +48,11 @@ SCENE = {
         {"name": "s", "material": "a", "subdivision": {
             "points": [0, 0, 0], "faces": [0, 1, 2], "face_sizes": [3], "creases": [{"points": [0, 1], "sharpness": 0.5}],
             "corners": [{"points": [2]}], "levels": 2, "displacement": {"expression": "x", "origin": [0, 0, 0]}}},
-        {"name": "i", "positions": [], "normals": [], "triangles": [], "triangle_materials": [{"material": "a", "count": 1}]},
+        {"name": "i", "positions": [], "normals": [], "triangles": [], "triangle_materials": [{"material": "a", "count": 1}],
+         "end": {"positions": [], "normals": []}},
     ],
-    "instances": [{"mesh": "m", "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], "remap": ["a", "b"]}],
+    "instances": [{"mesh": "m", "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], "remap": ["a", "b"],
+                   "end_matrix": [{"rotate_y": 30}]}],
     "lights": [{"type": "disk", "radius": 1, "radiance": [1, 1, 1], "ies": {"file": "l.ies", "point_area": True}}],
     "integrator": {"trace_depth": 5},
 }
@@ -90,6 +93,14 @@ WRONG = [
     (SCENE, ["camera", "position"], None),
     (SCENE, ["camera", "fov_y"], 180),
     (SCENE, ["camera", "width"], 8.5),
+    (SCENE, ["camera", "shutter"], [0, 1.5]),
+    (SCENE, ["camera", "shutter"], [0]),
+    (SCENE, ["camera", "end", "fov_y"], 30),
+    (SCENE, ["meshes", 3, "end"], {"file": "e.ply"}),
+    (SCENE, ["meshes", 4, "end", "normals"], None),
+    (SCENE, ["meshes", 4, "end", "file"], "e.ply"),
+    (SCENE, ["instances", 0, "end_matrix"], 1),
+    (SCENE, ["lights", 0, "end_matrix"], [{"scale": 2}]),
     (SCENE, ["textures", 0, "wrap_v"], "mirror"),
     (SCENE, ["meshes", 3, "subdivision", "levels"], 0),
     (SCENE, ["meshes", 3, "subdivision", "face_sizes", 0], 2),
@@ -196,6 +207,8 @@ OTHER_THAN_SCENES = {
     "algorithms.json": "configuration",
     "bugs.json": "configuration",
     "irradiance-cache.json": "configuration",
+    "stability.json": "configuration",
+    "stability-origin.json": "configuration",
     "render-times.json": "render times",
 }
 

@@ -77,7 +77,8 @@ TEST(QualificationTable, ThePageShowsTheCommittedFiles) {
   std::string table =
       "| gates | control images accepted | mutants rejected | light: remark from | light: failure from | leak: failure "
       "from |\n|---|---|---|---|---|---|\n";
-  for (const char* suite : {"orbs", "appearance", "shapes", "integrators", "known", "gi", "stability"}) {
+  for (const char* suite :
+       {"orbs", "appearance", "shapes", "motion", "integrators", "known", "gi", "stability"}) {
     const std::string rows = rows_of(root, suite, "1") + rows_of(root, suite, "1/4");
     EXPECT_NE(rows, "") << suite << " is not qualified: orbs run -r orbs --suite " << suite
                         << ", orbs qualify --suite " << suite;

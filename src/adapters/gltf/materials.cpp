@@ -83,7 +83,10 @@ const BeyondOrbs& beyond_orbs() {
        {"E4", "glTF has no fluorescence"},
        {"E5", "glTF's thin films are a fit for the eye (KHR_materials_iridescence)"},
        {"E6", "glTF's dispersion is one number of Abbe for three colours (KHR_materials_dispersion)"},
-       {"S7", "a plug-in is machine code for the built-in tracer"}}};
+       {"S7", "a plug-in is machine code for the built-in tracer"},
+       {"T1", "glTF's animations turn by angles, and it has no shutter"},
+       {"T2", "glTF has morph targets and no shutter"},
+       {"T3", "glTF's animations turn by angles, and it has no shutter"}}};
   return kLevels;
 }
 

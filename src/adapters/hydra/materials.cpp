@@ -89,7 +89,10 @@ const BeyondOrbs& beyond_orbs() {
        {"E4", "HydraCore3 has no fluorescence"},
        {"E5", "HydraCore3's thin films are tables for three colours"},
        {"E6", "HydraCore3 refracts three colours alike"},
-       {"S7", "a plug-in is machine code for the built-in tracer"}}};
+       {"S7", "a plug-in is machine code for the built-in tracer"},
+       {"T1", "the exporter writes HydraCore3's instances at rest"},
+       {"T2", "HydraCore3 has no meshes that change their shape"},
+       {"T3", "HydraCore3's camera rests"}}};
   return kLevels;
 }
 

@@ -179,7 +179,10 @@ const BeyondOrbs& beyond_orbs() {
                                   {{"E4", "Mitsuba has no fluorescence"},
                                    {"E5", "Mitsuba has no thin films"},
                                    {"E6", "Mitsuba's dielectrics have one index for all wavelengths"},
-                                   {"S7", "a plug-in is machine code for the built-in tracer"}}};
+                                   {"S7", "a plug-in is machine code for the built-in tracer"},
+                                   {"T1", "Mitsuba 3 has no shapes that move"},
+                                   {"T2", "Mitsuba 3 has no meshes that change their shape"},
+                                   {"T3", "Mitsuba 3 has no cameras that move"}}};
   return kLevels;
 }
 

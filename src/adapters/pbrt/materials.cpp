@@ -143,11 +143,15 @@ struct MaterialWriter {
 }  // namespace
 
 const BeyondOrbs& beyond_orbs() {
-  static const BeyondOrbs kLevels{{"E1", "E2", "E6"},
-                                  {{"E3", "pbrt carries no polarisation"},
-                                   {"E4", "pbrt has no fluorescence"},
-                                   {"E5", "pbrt has no thin films"},
-                                   {"S7", "a plug-in is machine code for the built-in tracer"}}};
+  static const BeyondOrbs kLevels{
+      {"E1", "E2", "E6"},
+      {{"E3", "pbrt carries no polarisation"},
+       {"E4", "pbrt has no fluorescence"},
+       {"E5", "pbrt has no thin films"},
+       {"S7", "a plug-in is machine code for the built-in tracer"},
+       {"T1", "pbrt interpolates rotation, stretch and translation, not the entries of matrices"},
+       {"T2", "pbrt has no meshes that change their shape"},
+       {"T3", "pbrt interpolates rotation, stretch and translation, not the vectors of a camera"}}};
   return kLevels;
 }
 

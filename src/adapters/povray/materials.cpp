@@ -165,7 +165,10 @@ const BeyondOrbs& beyond_orbs() {
        {"E3", "POV-Ray carries no polarisation"},
        {"E4", "POV-Ray has no fluorescence"},
        {"E5", "POV-Ray's irid is a cosine at one wavelength for each of three colours, without any index"},
-       {"S7", "a plug-in is machine code for the built-in tracer"}}};
+       {"S7", "a plug-in is machine code for the built-in tracer"},
+       {"T1", "POV-Ray shows an instant, it has no motion blur"},
+       {"T2", "POV-Ray shows an instant, it has no motion blur"},
+       {"T3", "POV-Ray shows an instant, it has no motion blur"}}};
   return kLevels;
 }
 

@@ -63,6 +63,9 @@ std::uint64_t scene_content_hash(const scene::Scene& scene, const std::filesyste
     add(mesh.uvs);
     add(mesh.triangles);
     add(mesh.triangle_materials);
+    if (!mesh.end) continue;
+    add(mesh.end->positions);
+    add(mesh.end->normals);
   }
   for (const auto& texture : scene.textures) hash = content_hash(read_file(texture.file), hash);
   for (const auto& light : scene.lights)

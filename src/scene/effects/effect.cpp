@@ -30,6 +30,8 @@ std::string_view effect_name(Effect effect) {
       return "instancing";
     case Effect::PathClasses:
       return "path classes";
+    case Effect::Motion:
+      return "motion";
   }
   return "";
 }

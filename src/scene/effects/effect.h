@@ -20,6 +20,7 @@ enum class Effect {
   Ies,
   Instancing,   // one mesh in several places
   PathClasses,  // a layer for each class of light path
+  Motion,       // something moves while the shutter is open
 };
 
 /// The word for it, as messages and files write it: "thin film".

@@ -2,11 +2,13 @@
 
 #include "base/error.h"
 #include "base/nth.h"
+#include "scene/motion.h"
 #include "spectra/observer.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -122,6 +124,21 @@ void add_geometry(const Scene& scene, SceneEffects& found) {
          display_name("shape", scene.shapes[i].name, scene.spheres.size() + i));
 }
 
+void add_motion(const Scene& scene, SceneEffects& found) {
+  if (!has_motion(scene)) return;
+  if (scene.camera.end) note(found, {Effect::Motion, true, "moves while the shutter is open"}, "the camera");
+  std::set<int> seen;
+  for (const auto& instance : scene.instances) {
+    const auto& mesh = mesh_of(scene, instance);
+    if (instance.end_matrix)
+      note(found, {Effect::Motion, true, "moves while the shutter is open"},
+           fmt::format("instance '{}'", instance.name));
+    if (mesh.end && seen.insert(instance.mesh).second)
+      note(found, {Effect::Motion, true, "changes its shape while the shutter is open"},
+           fmt::format("mesh '{}'", mesh.name));
+  }
+}
+
 void add_outputs(const Scene& scene, SceneEffects& found) {
   if (scene.outputs.stokes) note(found, {Effect::Polarisation, true, "holds Stokes vectors"}, "the image");
   if (scene.outputs.path_classes)
@@ -137,6 +154,7 @@ SceneEffects effects(const Scene& scene) {
   add_emissive_materials(scene, has_colour, found);
   add_lights(scene, has_colour, found);
   add_geometry(scene, found);
+  add_motion(scene, found);
   add_outputs(scene, found);
   const auto by_effect = [](const EffectFinding& a, const EffectFinding& b) { return a.effect < b.effect; };
   std::stable_sort(found.called_for.begin(), found.called_for.end(), by_effect);
@@ -189,6 +207,7 @@ LightTransport transport_for(Effect effect) {
     case Effect::Ies:
     case Effect::Instancing:
     case Effect::PathClasses:
+    case Effect::Motion:
       return LightTransport::Rgb;
   }
   return LightTransport::Rgb;
@@ -231,6 +250,10 @@ void refuse_effect(Effect effect,
 }
 
 bool leave_out(Effect effect, Scene& scene) {
+  if (effect == Effect::Motion) {
+    scene = at_time(scene, scene.camera.shutter.open);
+    return true;
+  }
   if (effect != Effect::Dispersion && effect != Effect::MeasuredMetal && effect != Effect::ThinFilm)
     return false;
   for (auto& material : scene.materials)

@@ -63,6 +63,7 @@ LightTransport transport_for(Effect effect);
 ///   Dispersion     every index is that of kUsualIndex_nm (materials/boundary.h)
 ///   MeasuredMetal  n and k are those of that wavelength
 ///   ThinFilm       no films
+///   Motion         the scene at rest as it is when the shutter opens
 /// False, and nothing changes, for the other effects: they are left out by the transport, see WorldSettings
 /// of the tracer. InputError naming the first material that calls for the effect and has no form without it.
 bool leave_out(Effect effect, Scene& scene);

@@ -2,6 +2,7 @@
 
 #include "scene/effects/effects.h"
 #include "scene/lights/placement.h"
+#include "scene/motion.h"
 
 #include <map>
 #include <utility>
@@ -39,6 +40,7 @@ const char* level_for(Effect effect) {
     case Effect::Ies:
     case Effect::Instancing:
     case Effect::PathClasses:
+    case Effect::Motion:
       return "";
   }
   return "";
@@ -141,6 +143,18 @@ std::vector<CalledFeature> features_of_effects(const Scene& scene) {
   return features;
 }
 
+std::vector<CalledFeature> features_of_motion(const Scene& scene) {
+  std::vector<CalledFeature> features;
+  if (!has_motion(scene)) return features;
+  if (scene.camera.end) features.push_back({"T3", "the camera moves"});
+  for (const auto& instance : scene.instances) {
+    if (instance.end_matrix) features.push_back({"T1", fmt::format("instance '{}' moves", instance.name)});
+    if (const auto& mesh = mesh_of(scene, instance); mesh.end)
+      features.push_back({"T2", fmt::format("mesh '{}' changes its shape", mesh.name)});
+  }
+  return features;
+}
+
 std::vector<CalledFeature> features_of_integrator(const Scene& scene) {
   return std::visit(
       [](const auto& integrator) -> std::vector<CalledFeature> {
@@ -154,7 +168,7 @@ std::vector<CalledFeature> features_called_for(const Scene& scene) {
   std::map<std::string, std::string> found;
   for (const auto& features :
        {features_of_geometry(scene), features_of_materials(scene), features_of_lights(scene),
-        features_of_effects(scene), features_of_integrator(scene)})
+        features_of_effects(scene), features_of_motion(scene), features_of_integrator(scene)})
     for (const auto& feature : features) found.try_emplace(feature.requirement, feature.what);
   std::vector<CalledFeature> out;
   for (const auto& [requirement, what] : found) out.push_back({requirement, what});

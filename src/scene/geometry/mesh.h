@@ -11,6 +11,13 @@
 
 namespace orbs::scene {
 
+/// The vertices of a mesh at the end of the frame. See scene/motion.h for the times between.
+struct MeshEnd {
+  std::vector<Vec3f> positions;
+  std::vector<Vec3f> normals;
+  bool operator==(const MeshEnd&) const = default;
+};
+
 /// Indexed triangles with the attributes of ORB.S REQ_G1, used exactly as given. All vertex arrays have one
 /// length.
 struct Mesh {
@@ -23,6 +30,8 @@ struct Mesh {
   std::vector<int> triangle_materials;  // one per triangle
   /// What the triangles, all of one material, are made from; who changes triangles or vertices drops it.
   std::optional<SubdivisionSurface> subdivision = std::nullopt;
+  /// Of a mesh that changes its shape within the frame; `positions` and `normals` are those of its start.
+  std::optional<MeshEnd> end = std::nullopt;
   bool operator==(const Mesh&) const = default;
 };
 
@@ -40,6 +49,18 @@ inline std::uint32_t add_vertex(Mesh& mesh, Vec3d position, Vec3d normal, Vec2d 
   mesh.tangents.push_back({});
   mesh.uvs.push_back({static_cast<float>(uv.x), static_cast<float>(uv.y)});
   return vertex_count(mesh) - 1;
+}
+
+/// Appends vertex `index` of `from`, of both times if it has two.
+inline void append_vertex(Mesh& mesh, const Mesh& from, std::size_t index) {
+  mesh.positions.push_back(from.positions[index]);
+  mesh.normals.push_back(from.normals[index]);
+  mesh.tangents.push_back(from.tangents[index]);
+  mesh.uvs.push_back(from.uvs[index]);
+  if (!from.end) return;
+  if (!mesh.end) mesh.end.emplace();
+  mesh.end->positions.push_back(from.end->positions[index]);
+  mesh.end->normals.push_back(from.end->normals[index]);
 }
 
 /// Two triangles for each cell of a grid of (rows + 1)(columns + 1) vertices stored row by row from index

@@ -10,12 +10,8 @@ namespace orbs::scene {
 
 namespace {
 
-struct Extent {
-  Vec3d low, high;
-};
-
-Extent extent_of(const std::vector<Vec3d>& vertices) {
-  Extent out{vertices.front(), vertices.front()};
+WorldBounds bounds_of(const std::vector<Vec3d>& vertices) {
+  WorldBounds out{vertices.front(), vertices.front()};
   for (const Vec3d v : vertices) {
     out.low = {std::fmin(out.low.x, v.x), std::fmin(out.low.y, v.y), std::fmin(out.low.z, v.z)};
     out.high = {std::fmax(out.high.x, v.x), std::fmax(out.high.y, v.y), std::fmax(out.high.z, v.z)};
@@ -26,7 +22,7 @@ Extent extent_of(const std::vector<Vec3d>& vertices) {
 Vec3d origin_of(const std::vector<Vec3d>& vertices) {
   constexpr double kMostExtents = 64;
   if (vertices.empty()) return {};
-  const auto [low, high] = extent_of(vertices);
+  const auto [low, high] = bounds_of(vertices);
   const double extent = largest_magnitude(high - low);
   const double farthest = std::fmax(largest_magnitude(low), largest_magnitude(high));
   // Also false if a number is not finite: the check of the mesh says so.
@@ -69,9 +65,18 @@ WorldBounds joined(const WorldBounds& a, const WorldBounds& b) {
 
 WorldBounds world_bounds(const Scene& scene, const Instance& instance) {
   std::optional<WorldBounds> bounds;
-  for (const Vec3f position : mesh_of(scene, instance).positions) {
-    const Vec3d p = transform_point(instance.matrix, cast<double>(position));
-    bounds = bounds ? joined(*bounds, {p, p}) : WorldBounds{p, p};
+  const auto add = [&](const std::vector<Vec3f>& positions, const Mat4& matrix) {
+    for (const Vec3f position : positions) {
+      const Vec3d p = transform_point(matrix, cast<double>(position));
+      bounds = bounds ? joined(*bounds, {p, p}) : WorldBounds{p, p};
+    }
+  };
+  // At any time a vertex is a mean, with weights that add up to 1, of the four combinations of start and end.
+  const auto& mesh = mesh_of(scene, instance);
+  for (const Mat4& matrix : {instance.matrix, instance.end_matrix.value_or(instance.matrix)}) {
+    add(mesh.positions, matrix);
+    if (mesh.end) add(mesh.end->positions, matrix);
+    if (!instance.end_matrix) break;
   }
   return bounds.value_or(WorldBounds{});
 }
@@ -123,8 +128,12 @@ std::vector<WorldBounds> rough_instance_bounds(const Scene& scene) {
     of_meshes.push_back(world_bounds(scene, {"", static_cast<int>(mesh), Mat4{}, {}}));
   std::vector<WorldBounds> bounds;
   for (const auto& instance : scene.instances) {
-    const auto& [low, high] = nth(of_meshes, instance.mesh);
-    bounds.push_back(around(instance.matrix * translation((low + high) * 0.5), (high - low) * 0.5));
+    const auto& box = nth(of_meshes, instance.mesh);
+    const auto placed = [&](const Mat4& matrix) {
+      return around(matrix * translation((box.low + box.high) * 0.5), (box.high - box.low) * 0.5);
+    };
+    bounds.push_back(placed(instance.matrix));
+    if (instance.end_matrix) bounds.back() = joined(bounds.back(), placed(*instance.end_matrix));
   }
   return bounds;
 }

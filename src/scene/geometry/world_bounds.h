@@ -28,7 +28,7 @@ struct WorldBounds {
 
 inline double radius_of(const WorldBounds& bounds) { return 0.5 * length(bounds.high - bounds.low); }
 
-/// The box around the vertices of an instance, which has at least one.
+/// The box around the vertices of an instance, which has at least one; where it moves, of the whole frame.
 WorldBounds world_bounds(const Scene& scene, const Instance& instance);
 
 WorldBounds joined(const WorldBounds& a, const WorldBounds& b);

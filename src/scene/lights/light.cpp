@@ -46,6 +46,7 @@ Light load_light(json::ObjectReader& in, const DataFolders& folders, const Spect
   light.spectrum = radiance.spectrum;
   light.reflectance = in.vec3_or("reflectance", {}, {0.0, 1.0});
   light.matrix = load_matrix(in, "matrix");
+  refuse_motion(in, "lights");
   std::visit([&](const auto& shape) { check_placed(in, shape, light.matrix); }, light.shape);
   if (in.has("ies")) light.ies = load_ies_use(in.object("ies"), folders);
   in.finish();

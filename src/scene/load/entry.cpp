@@ -123,6 +123,13 @@ Mat4 load_matrix(json::ObjectReader& in, const std::string& key) {
   return matrix;
 }
 
+void refuse_motion(json::ObjectReader& in, const char* objects) {
+  if (in.has("end_matrix"))
+    in.fail(
+        "end_matrix",
+        fmt::format("{} cannot move within a frame, only instances of meshes can: leave it out", objects));
+}
+
 std::string matrix_problem(const Mat4& matrix) {
   for (const double entry : matrix.m)
     if (!(std::abs(entry) <= kFarthest_m))

@@ -74,6 +74,9 @@ std::filesystem::path existing_file(json::ObjectReader& in,
 /// multiplied in written order. Identity when absent. Must be affine and invertible.
 Mat4 load_matrix(json::ObjectReader& in, const std::string& key);
 
+/// Refuses the key "end_matrix" of `objects` ("lights"), which cannot move.
+void refuse_motion(json::ObjectReader& in, const char* objects);
+
 /// The complaint about a matrix that is not affine or not invertible; "" when it is both.
 std::string matrix_problem(const Mat4& matrix);
 

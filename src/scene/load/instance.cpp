@@ -1,6 +1,7 @@
 #include "scene/load/instance.h"
 
 #include "base/random.h"
+#include "scene/motion.h"
 
 #include <fmt/format.h>
 
@@ -23,6 +24,13 @@ std::vector<std::pair<int, int>> load_remap(json::ObjectReader& in, const Names&
     remap.emplace_back(from, to);
   }
   return remap;
+}
+
+std::string problem_of(const Instance& instance) {
+  if (auto problem = matrix_problem(instance.matrix); !problem.empty()) return problem;
+  if (!instance.end_matrix) return "";
+  if (auto problem = matrix_problem(*instance.end_matrix); !problem.empty()) return problem;
+  return motion_problem(instance.matrix, *instance.end_matrix);
 }
 
 /// Copies on a grid in the XZ plane, centred on the instance's matrix: each is moved by up to +-jitter along
@@ -51,9 +59,10 @@ void scatter(json::ObjectReader in,
                         (row - 0.5 * (rows - 1)) * spacing_m + jitter_m * (2 * random(2) - 1)};
       Instance copy = prototype;
       copy.name = fmt::format("{} {} {}", prototype.name, row, column);
-      copy.matrix = prototype.matrix * translation(place) * rotation_y(360 * random(3)) *
-                    scaling({scale, scale, scale});
-      if (const auto problem = matrix_problem(copy.matrix); !problem.empty())
+      const Mat4 on_grid = translation(place) * rotation_y(360 * random(3)) * scaling({scale, scale, scale});
+      copy.matrix = prototype.matrix * on_grid;
+      if (copy.end_matrix) copy.end_matrix = *prototype.end_matrix * on_grid;
+      if (const auto problem = problem_of(copy); !problem.empty())
         in.fail("", fmt::format("copy {} {}: {}", row, column, problem));
       out.push_back(std::move(copy));
     }
@@ -70,6 +79,11 @@ void load_instances(json::ObjectReader in,
   instance.mesh = meshes.find(in, "mesh");
   instance.name = in.text_or("name", in.text("mesh"));
   instance.matrix = load_matrix(in, "matrix");
+  if (in.has("end_matrix")) {
+    instance.end_matrix = load_matrix(in, "end_matrix");
+    if (const auto problem = motion_problem(instance.matrix, *instance.end_matrix); !problem.empty())
+      in.fail("end_matrix", problem);
+  }
   instance.remap = load_remap(in, materials);
   if (in.has("scatter")) {
     scatter(in.object("scatter"), instance, left, out);

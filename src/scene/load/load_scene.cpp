@@ -9,6 +9,7 @@
 #include "scene/load/mesh.h"
 #include "scene/load/spectra.h"
 #include "scene/load/texture_checks.h"
+#include "scene/motion.h"
 #include "scene/scene.h"
 
 #include <map>
@@ -26,7 +27,7 @@ namespace {
 // Below this sine the projected axis is nothing but the rounding of the vertices' floats.
 constexpr double kLeastSine = 1e-4;
 
-std::string axis_problem(const Scene& scene, Vec3d axis, int material) {
+std::string axis_problem_of_meshes(const Scene& scene, Vec3d axis, int material) {
   for (const auto& instance : scene.instances) {
     const auto& mesh = mesh_of(scene, instance);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -41,6 +42,16 @@ std::string axis_problem(const Scene& scene, Vec3d axis, int material) {
                          axis.y, axis.z, i, instance.name);
     }
   }
+  return "";
+}
+
+std::string axis_problem(const Scene& scene, Vec3d axis, int material) {
+  auto problem = axis_problem_of_meshes(scene, axis, material);
+  // Surfaces that are right at both ends of the frame may be wrong for no more than an instant between.
+  if (has_moving_objects(scene))
+    for (const double time : {scene.camera.shutter.open, scene.camera.shutter.close})
+      if (problem.empty()) problem = axis_problem_of_meshes(at_time(scene, time), axis, material);
+  if (!problem.empty()) return problem;
   for (std::size_t i = 0; i < scene.spheres.size(); ++i)
     if (scene.spheres[i].material == material)
       return fmt::format(
@@ -83,6 +94,22 @@ void check_pixels(json::ObjectReader& in, const Camera& camera) {
                     pixel_rad, kFinest_rad));
 }
 
+Shutter load_shutter(json::ObjectReader& in) {
+  if (!in.has("shutter")) return {};
+  const auto times = in.numbers("shutter", 2, {0, 1});
+  if (times[0] > times[1])
+    in.fail("shutter", fmt::format("must open before it closes, it opens at {} and closes at {} of the frame",
+                                   times[0], times[1]));
+  return {times[0], times[1]};
+}
+
+CameraEnd load_camera_end(json::ObjectReader in, const Camera& start) {
+  const CameraEnd end{in.vec3_or("position", start.position_m, kPlace),
+                      in.vec3_or("look_at", start.look_at_m, kPlace), in.vec3_or("up", start.up, kPlace)};
+  in.finish();
+  return end;
+}
+
 Camera load_camera(json::ObjectReader in) {
   constexpr int kLargestSide = 65536;
   constexpr long long kMostPixels = 1LL << 26;
@@ -101,6 +128,8 @@ Camera load_camera(json::ObjectReader in) {
   camera.near_m = in.number_or("near", camera.near_m, json::kPositive);
   camera.far_m = in.number_or("far", camera.far_m, json::kPositive);
   if (in.has("focus_distance")) camera.focus_distance_m = in.number("focus_distance", json::kPositive);
+  camera.shutter = load_shutter(in);
+  if (in.has("end")) camera.end = load_camera_end(in.object("end"), camera);
   in.finish();
   if (camera.near_m >= camera.far_m)
     in.fail(in.has("near") ? "near" : "far",
@@ -111,6 +140,7 @@ Camera load_camera(json::ObjectReader in) {
   // noise.
   if (length(cross(view, camera.up)) <= 1e-9 * length(view) * length(camera.up))
     in.fail(in.has("up") ? "up" : "look_at", "up must not be parallel to the view direction");
+  if (const auto problem = motion_problem(camera); !problem.empty()) in.fail("end", problem);
   check_pixels(in, camera);
   return camera;
 }
@@ -192,6 +222,10 @@ void check_textures(const Scene& scene, const std::vector<json::ObjectReader>& r
 
 void check_irradiance_cache(const Scene& scene, const json::ObjectReader& in) {
   if (!std::holds_alternative<IrradianceCache>(scene.integrator)) return;
+  if (has_motion(scene))
+    in.fail("integrator",
+            "an irradiance cache is made at one time, and something moves while the shutter is open: use the "
+            "integrator 'path'");
   const auto found = effects(scene);
   if (const auto needed = transport(found); needed != LightTransport::Rgb)
     in.fail("integrator", fmt::format("an irradiance cache keeps three channels, and the scene calls for {} "
@@ -221,7 +255,9 @@ void add_shape(json::ObjectReader& in, const Names& materials, Scene& scene) {
 void move_to_origins(const std::vector<Vec3d>& origins, std::vector<Instance>& instances) {
   for (auto& instance : instances) {
     const Vec3d origin = nth(origins, instance.mesh);
-    if (!(origin == Vec3d{})) instance.matrix = instance.matrix * translation(origin);
+    if (origin == Vec3d{}) continue;
+    instance.matrix = instance.matrix * translation(origin);
+    if (instance.end_matrix) instance.end_matrix = *instance.end_matrix * translation(origin);
   }
 }
 
@@ -279,6 +315,7 @@ Scene load_document(const json::Document& document,
   append(data.warnings, flat_texture_warnings(scene, mesh_places));
   scene.spectra = std::move(data.spectra);
   scene.notes = {std::move(data.files), std::move(data.warnings), camera};
+  drop_unseen_motion(scene);
   check_textures(scene, texture_readers);
   check_materials(scene, material_readers);
   check_irradiance_cache(scene, in);

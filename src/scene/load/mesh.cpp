@@ -9,9 +9,11 @@
 #include "scene/geometry/ply.h"
 #include "scene/geometry/subdivision/entry.h"
 #include "scene/load/entry.h"
+#include "scene/motion.h"
 #include "scene/scene.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -104,12 +106,39 @@ MeshFile inline_mesh(json::ObjectReader& in) {
   return file;
 }
 
+std::string vertex_problem(std::size_t index, Vec3f position, Vec3f normal) {
+  if (!is_finite(position) || largest_magnitude(position) > kFarthest_m)
+    return fmt::format("position {} lies farther out than {} m, or is no number", index, kFarthest_m);
+  if (!is_direction(normal))
+    return fmt::format("normal {} must be finite and not zero: normals are used as given", index);
+  return "";
+}
+
 std::string index_problem(const Mesh& mesh) {
   const std::size_t count = mesh.positions.size();
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
     for (const auto corner : mesh.triangles[i])
       if (corner >= count)
         return fmt::format("triangle {} has index {}: out of range, there are {} vertices", i, corner, count);
+  return "";
+}
+
+// The start is right; see mesh_problem.
+std::string end_problem(const Mesh& start, const MeshEnd& end) {
+  const std::size_t count = start.positions.size();
+  if (end.positions.size() != count || end.normals.size() != count)
+    return fmt::format(
+        "there are {} vertices at the start of the frame, {} positions and {} normals at its end", count,
+        end.positions.size(), end.normals.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (const auto problem = vertex_problem(i, end.positions[i], end.normals[i]); !problem.empty())
+      return problem;
+    if (meets_zero(cast<double>(start.normals[i]), cast<double>(end.normals[i])))
+      return fmt::format(
+          "normal {} is the opposite of that of the start, and there is none on the way: normals are linear in "
+          "time",
+          i);
+  }
   return "";
 }
 
@@ -193,6 +222,29 @@ void assign_materials(json::ObjectReader& in, const Names& materials, MeshFile& 
   }
 }
 
+// The vertices at the end of the frame, relative to the origin of those of the start.
+MeshEnd load_end(json::ObjectReader in, const DataFolders& folders, const MeshFile& start) {
+  MeshEnd end;
+  std::vector<Vec3d> places;
+  const bool from_file = in.has("file");
+  if (from_file) {
+    const MeshFile file = mesh_of_file(in, folders);
+    if (file.mesh.triangles != start.mesh.triangles)
+      in.fail("file",
+              "must have the triangles of the start of the frame, vertex by vertex and in their order");
+    for (const Vec3f p : file.mesh.positions) places.push_back(cast<double>(p) + file.origin_m);
+    end.normals = file.mesh.normals;
+  } else {
+    places = vectors<Vec3d>(in, "positions", 3);
+    end.normals = vectors<Vec3f>(in, "normals", 3);
+  }
+  in.finish();
+  for (const Vec3d p : places) end.positions.push_back(cast<float>(p - start.origin_m));
+  if (const auto problem = end_problem(start.mesh, end); !problem.empty())
+    in.fail(from_file ? "file" : "", problem);
+  return end;
+}
+
 // Appends to `places` where the vertices lie, and everything else to `whole`.
 void append_moved(Mesh& whole, std::vector<Vec3d>& places, const MeshFile& file, const Mat4& matrix) {
   const Mesh& part = file.mesh;
@@ -262,9 +314,14 @@ MeshFile load_mesh(json::ObjectReader in,
   } else {
     file = load_source(in, folders, materials, left);
   }
-  in.finish();
   file.mesh.name = name;
   if (const auto problem = mesh_problem(file.mesh); !problem.empty()) in.fail("", problem);
+  if (in.has("end")) {
+    if (file.mesh.subdivision)
+      in.fail("end", "does not go with \"subdivision\": give the mesh its triangles at both times");
+    file.mesh.end = load_end(in.object("end"), folders, file);
+  }
+  in.finish();
   if (largest_magnitude(file.origin_m) > kFarthest_m)
     in.fail("", fmt::format("the mesh lies farther out than {} m", kFarthest_m));
   return file;
@@ -280,13 +337,11 @@ std::string mesh_problem(const Mesh& mesh) {
   if (mesh.uvs.size() != count)
     return fmt::format("there are {} positions and {} texture coordinates", count, mesh.uvs.size());
   for (std::size_t i = 0; i < count; ++i) {
-    if (!is_finite(mesh.positions[i]) || largest_magnitude(mesh.positions[i]) > kFarthest_m)
-      return fmt::format("position {} lies farther out than {} m, or is no number", i, kFarthest_m);
     if (!is_finite(mesh.tangents[i])) return fmt::format("tangent {} is not finite", i);
     if (!std::isfinite(mesh.uvs[i].x + mesh.uvs[i].y))
       return fmt::format("texture coordinate {} is not finite", i);
-    if (!is_direction(mesh.normals[i]))
-      return fmt::format("normal {} must be finite and not zero: normals are used as given", i);
+    if (auto problem = vertex_problem(i, mesh.positions[i], mesh.normals[i]); !problem.empty())
+      return problem;
   }
   return index_problem(mesh);
 }

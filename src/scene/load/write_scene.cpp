@@ -24,6 +24,12 @@ void write_camera(Writer& out, const Camera& camera) {
   out.member("fov_y", camera.fov_y_deg).member("width", camera.width_px).member("height", camera.height_px);
   out.member("near", camera.near_m).member("far", camera.far_m);
   if (camera.focus_distance_m) out.member("focus_distance", *camera.focus_distance_m);
+  if (camera.shutter != Shutter{})
+    out.key("shutter").numbers(std::array{camera.shutter.open, camera.shutter.close});
+  if (camera.end) {
+    out.key("end").begin_object().member("position", camera.end->position_m);
+    out.member("look_at", camera.end->look_at_m).member("up", camera.end->up).end_object();
+  }
   out.end_object();
 }
 
@@ -79,14 +85,22 @@ void write_mesh(Writer& out, const Scene& scene, const Mesh& mesh, const std::fi
   out.begin_object()
       .member("name", mesh.name)
       .member("file", ply.filename().string())
-      .member("materials", names)
-      .end_object();
+      .member("materials", names);
+  if (mesh.end) {
+    copy.positions = mesh.end->positions;
+    copy.normals = mesh.end->normals;
+    const auto end_ply = ply.parent_path() / (ply.stem().string() + ".end.ply");
+    write_ply(copy, end_ply);
+    out.key("end").begin_object().member("file", end_ply.filename().string()).end_object();
+  }
+  out.end_object();
 }
 
 void write_instance(Writer& out, const Scene& scene, const Instance& instance) {
   out.begin_object().member("name", instance.name);
   out.member("mesh", mesh_of(scene, instance).name);
   out.key("matrix").numbers(instance.matrix.m);
+  if (instance.end_matrix) out.key("end_matrix").numbers(instance.end_matrix->m);
   std::vector<std::string> remap;
   for (const auto& [from, to] : instance.remap)
     for (const int material : {from, to}) remap.push_back(material_at(scene, material).name);

@@ -27,10 +27,7 @@ Mesh submesh_of(const Mesh& mesh, int material) {
   for (std::size_t i = 0; i < place.size(); ++i) {
     if (place[i] == kUnused) continue;
     place[i] = static_cast<std::uint32_t>(part.positions.size());
-    part.positions.push_back(mesh.positions[i]);
-    part.normals.push_back(mesh.normals[i]);
-    part.tangents.push_back(mesh.tangents[i]);
-    part.uvs.push_back(mesh.uvs[i]);
+    append_vertex(part, mesh, i);
   }
   for (auto& triangle : part.triangles)
     for (auto& vertex : triangle) vertex = place[vertex];

@@ -4,6 +4,7 @@
 #include "scene/effects/effects.h"
 #include "scene/effects/features.h"
 #include "scene/lower/geometry.h"
+#include "scene/motion.h"
 
 #include <map>
 #include <utility>
@@ -55,11 +56,8 @@ void bake_texture_matrices(Mesh& mesh, const std::vector<Material>& materials) {
       const auto place = static_cast<std::uint32_t>(out.positions.size());
       const auto [it, is_new] = places.try_emplace({vertex, has_matrix ? index : kAsIs}, place);
       if (is_new) {
-        out.positions.push_back(mesh.positions[vertex]);
-        out.normals.push_back(mesh.normals[vertex]);
-        out.tangents.push_back(mesh.tangents[vertex]);
-        const Vec2f uv = mesh.uvs[vertex];
-        out.uvs.push_back(has_matrix ? transformed(texture_of(material.model)->matrix, uv) : uv);
+        append_vertex(out, mesh, vertex);
+        if (has_matrix) out.uvs.back() = transformed(texture_of(material.model)->matrix, mesh.uvs[vertex]);
       }
       vertex = it->second;
     }
@@ -150,6 +148,8 @@ void drop_subdivision(Scene& scene, const Capabilities& capabilities) {
 }
 
 std::string lower_geometry(Scene& scene, const Capabilities& capabilities) {
+  if (has_moving_objects(scene) && !capabilities.contains("G3"))
+    return "something moves, and one mesh in world space cannot, which needs G3";
   drop_subdivision(scene, capabilities);
   if (!capabilities.contains("S1")) tessellate_spheres(scene);
   for (const char* level : {"S1", "S2"})
@@ -173,7 +173,8 @@ std::string lower_geometry(Scene& scene, const Capabilities& capabilities) {
 
 std::variant<Scene, std::string> lower(const Scene& scene, const Capabilities& capabilities) {
   Scene lowered = scene;
-  if (auto reason = lacking(features_of_integrator(scene), capabilities); !reason.empty()) return reason;
+  for (const auto& features : {features_of_integrator(scene), features_of_motion(scene)})
+    if (auto reason = lacking(features, capabilities); !reason.empty()) return reason;
   for (auto* const step : {lower_materials, lower_effects, lower_lights, lower_geometry})
     if (auto reason = step(lowered, capabilities); !reason.empty()) return reason;
   return lowered;

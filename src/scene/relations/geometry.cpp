@@ -41,8 +41,11 @@ bool shows_emission(const Scene& scene, int mesh) {
 }
 
 bool is_flat(const Mesh& mesh) {
+  const auto are_equal = [](const std::vector<Vec3f>& normals, const auto& t) {
+    return normals[t[0]] == normals[t[1]] && normals[t[0]] == normals[t[2]];
+  };
   return std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const auto& t) {
-    return mesh.normals[t[0]] == mesh.normals[t[1]] && mesh.normals[t[0]] == mesh.normals[t[2]];
+    return are_equal(mesh.normals, t) && (!mesh.end || are_equal(mesh.end->normals, t));
   });
 }
 
@@ -58,6 +61,10 @@ class Middles {
       const auto half = [](auto x, auto y) { return (x + y) * 0.5F; };
       mesh_.positions.push_back(half(mesh_.positions[a], mesh_.positions[b]));
       mesh_.normals.push_back(mesh_.normals[a]);
+      if (mesh_.end) {
+        mesh_.end->positions.push_back(half(mesh_.end->positions[a], mesh_.end->positions[b]));
+        mesh_.end->normals.push_back(mesh_.end->normals[a]);
+      }
       mesh_.tangents.push_back(half(mesh_.tangents[a], mesh_.tangents[b]));
       mesh_.uvs.push_back(
           {0.5F * (mesh_.uvs[a].x + mesh_.uvs[b].x), 0.5F * (mesh_.uvs[a].y + mesh_.uvs[b].y)});
@@ -173,6 +180,8 @@ Scene with_windings_flipped(const Scene& scene) {
     for (auto& triangle : out.meshes[i].triangles) std::swap(triangle[1], triangle[2]);
     if (!may_flip_normals(scene, i)) continue;
     for (Vec3f& normal : out.meshes[i].normals) normal = -normal;
+    if (!out.meshes[i].end) continue;
+    for (Vec3f& normal : out.meshes[i].end->normals) normal = -normal;
   }
   return out;
 }

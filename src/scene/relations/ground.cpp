@@ -2,6 +2,7 @@
 
 #include "scene/camera_frame.h"
 #include "scene/geometry/world_bounds.h"
+#include "scene/motion.h"
 
 #include <cmath>
 #include <numbers>
@@ -41,12 +42,16 @@ std::optional<Ground> find_ground(const Scene& scene) {
   const auto all = world_bounds(scene);
   if (!all) return ground;
   const double rounding = 1e-6 * radius_of(*all);
+  const Camera& camera = scene.camera;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const auto bounds = world_bounds(scene, scene.instances[i]);
     const bool is_level = bounds.high.y - bounds.low.y <= rounding;
     const bool is_lowest = bounds.low.y <= all->low.y + rounding;
+    if (is_moving(scene, scene.instances[i])) continue;
     if (!is_level || !is_lowest || !is_opaque_and_plain(scene, scene.instances[i])) continue;
-    if (scene.camera.position_m.y <= bounds.high.y) continue;
+    if (std::fmin(camera.position_m.y, camera.end ? camera.end->position_m.y : camera.position_m.y) <=
+        bounds.high.y)
+      continue;
     if (!ground || radius_of(bounds) > radius_of(ground->bounds)) ground = Ground{i, bounds, {}};
   }
   if (ground && scene.instances.size() + scene.spheres.size() + scene.shapes.size() + scene.lights.size() > 1)
@@ -70,6 +75,8 @@ std::variant<Scene, std::string> with_large_ground(const Scene& scene, double ra
   const auto ground = find_ground(scene);
   if (!ground) return kNoGround;
   if (!ground->others) return "it has nothing but a ground";
+  if (!(scene.environment == RgbColour{}) || scene.environment_spectrum)
+    return "its environment shines, and a larger ground hides more of it: its edge is a horizon in view";
   Scene out = scene;
   out.trace_depth = 1;
   const Vec3d extent = ground->bounds.high - ground->bounds.low;

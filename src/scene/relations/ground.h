@@ -10,8 +10,9 @@ namespace orbs::scene {
 
 /// The scene in direct light (trace depth 1), with its ground enlarged until half its size is `ratio` times
 /// the radius of all other objects. The ground is an instance that is level, below all else, opaque and
-/// without texture. From a ratio of 100 on, its size changes the image by less than one percent of a pixel at
-/// the horizon. The reason if the scene has no ground.
+/// without texture. Its edge lies about 1 / ratio radians below the horizon, where lamps no longer light it.
+/// The reason if the scene has no ground, or an environment that shines, of which a larger one would hide
+/// more.
 std::variant<Scene, std::string> with_large_ground(const Scene& scene, double ratio);
 
 /// With a black sheet at `gap_m` below the ground, half as large, which the ground hides.

@@ -11,10 +11,14 @@ namespace orbs::scene {
 namespace {
 
 void move_camera(Camera& camera, const Mat4& motion, double scale) {
-  camera.position_m = transform_point(motion, camera.position_m);
-  camera.look_at_m = transform_point(motion, camera.look_at_m);
-  // Divided by the scale: only the direction matters, and its length must stay within that of a place.
-  camera.up = transform_direction(motion, camera.up) / scale;
+  const auto move = [&](auto& view) {
+    view.position_m = transform_point(motion, view.position_m);
+    view.look_at_m = transform_point(motion, view.look_at_m);
+    // Divided by the scale: only the direction matters, and its length must stay within that of a place.
+    view.up = transform_direction(motion, view.up) / scale;
+  };
+  move(camera);
+  if (camera.end) move(*camera.end);
   camera.near_m *= scale;
   camera.far_m *= scale;
   if (camera.focus_distance_m) *camera.focus_distance_m *= scale;
@@ -27,7 +31,10 @@ Scene moved(const Scene& scene, const Mat4& motion) {
   const double scale = length(transform_direction(motion, {1, 0, 0}));
   Scene out = scene;
   move_camera(out.camera, motion, scale);
-  for (auto& instance : out.instances) instance.matrix = motion * instance.matrix;
+  for (auto& instance : out.instances) {
+    instance.matrix = motion * instance.matrix;
+    if (instance.end_matrix) instance.end_matrix = motion * *instance.end_matrix;
+  }
   for (auto& light : out.lights) light.matrix = motion * light.matrix;
   for (auto& sphere : out.spheres) {
     sphere.centre_m = transform_point(motion, sphere.centre_m);

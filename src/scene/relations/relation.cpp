@@ -1,6 +1,7 @@
 #include "scene/relations/relation.h"
 
 #include "scene/lower/geometry.h"
+#include "scene/motion.h"
 #include "scene/relations/geometry.h"
 #include "scene/relations/ground.h"
 #include "scene/relations/light.h"
@@ -31,6 +32,9 @@ Related turned(const Scene& scene, const Mat4& motion, RelatedImage image = Same
   return RelatedScenes{scene, moved(scene, motion), image};
 }
 
+constexpr const char* kCameraMoves = "its camera moves";
+constexpr const char* kMoves = "something moves, and one mesh in world space cannot";
+
 // A unit vector off all axes, with short decimal numbers.
 constexpr Vec3d kDirection{0.6, 0.48, 0.64};
 
@@ -38,6 +42,7 @@ Related translate_matrix(const Scene& scene, double metres) {
   return RelatedScenes{scene, moved(scene, translation(kDirection * metres)), SameImage{}};
 }
 Related translate_vertices(const Scene& scene, double metres) {
+  if (has_moving_objects(scene)) return kMoves;
   return RelatedScenes{with_moved_vertices(scene, {}), with_moved_vertices(scene, kDirection * metres),
                        SameImage{}};
 }
@@ -51,6 +56,7 @@ Related ground(const Scene& scene, double ratio) {
 Related camera_distance(const Scene& scene, double factor) {
   // From there on the perspective changes by less than a thousandth of the image.
   constexpr double kNearest = 1000;
+  if (scene.camera.end) return kCameraMoves;
   return between(with_far_camera(scene, kNearest), with_far_camera(scene, factor));
 }
 Related gap(const Scene& scene, double metres) {
@@ -78,8 +84,13 @@ Related emission(const Scene& scene, double factor) {
 Related channels(const Scene& scene, double) {
   return related(scene, with_rotated_channels(scene), RotatedChannels{});
 }
-Related unreachable(const Scene& scene, double) { return related(scene, with_unreachable_object(scene)); }
+Related unreachable(const Scene& scene, double) {
+  // Behind the camera at the start of the frame it may be before the camera later.
+  if (scene.camera.end) return kCameraMoves;
+  return related(scene, with_unreachable_object(scene));
+}
 Related copies(const Scene& scene, double) {
+  if (has_moving_objects(scene)) return kMoves;
   Scene world = scene;
   merge_into_world_mesh(world);
   if (world.instances.empty()) return "it has no instances";

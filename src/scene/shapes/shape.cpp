@@ -45,6 +45,7 @@ Shape load_form(ShapeEntry& entry, bool is_operand) {
     in.fail("type", fmt::format("the solid has more than {} operands", kMostLeaves));
   }
   shape.matrix = load_matrix(in, "matrix");
+  refuse_motion(in, "shapes by their formula");
   if (!is_operand || in.has("material")) shape.material = entry.materials.find(in, "material");
   in.finish();
   return shape;

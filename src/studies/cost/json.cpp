@@ -22,8 +22,12 @@ std::vector<results::Definition> cost_definitions() {
   std::vector<results::Definition> all;
   for (const auto& metric : kCostMetrics) all.push_back({metric.name, metric.definition});
   const std::vector<results::Definition> others{
-      {"cpu_seconds", "user and system time of all processes of a render; the median of its seeds"},
-      {"wall_seconds", "from the start of the program to its end; the median of its seeds"},
+      {"cpu_seconds",
+       "user and system time of all processes of a render; the median of its seeds. Of a render whose seed is the "
+       "last of as many images of one process: fixed_cpu_seconds + (that time - fixed_cpu_seconds) / images, where "
+       "images are those rendered for each that counts"},
+      {"wall_seconds",
+       "from the start of the program to its end; the median of its seeds; of images likewise"},
       {"render_seconds", "what the renderer states itself; the median of its seeds"},
       {"trial_seconds",
        "the part of render_seconds that trial renderings took, which choose algorithms; likewise"},
@@ -85,16 +89,16 @@ CostRecord read_cost_file(const std::filesystem::path& file) {
 
 std::string cost_csv(const CostRecord& record) {
   std::string text =
-      "target,renderer,purpose,setting,spp,seed,order,cpu_seconds,wall_seconds,render_seconds,trial_seconds,load,other_share,repeats,relmse,mse,psnr_srgb8,"
+      "target,renderer,purpose,setting,spp,seed,order,images,cpu_seconds,wall_seconds,render_seconds,trial_seconds,load,other_share,repeats,relmse,mse,psnr_srgb8,"
       "flip\n";
   for (const auto& render : record.renders)
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
                         record.targets[render.target].name, record.renderers[render.renderer].name,
                         json::to_text(render.purpose), render.setting, render.spp, render.seed, render.order,
-                        render.cpu_seconds, render.wall_seconds, number_text(render.render_seconds),
-                        number_text(render.trial_seconds), render.load, number_text(render.other_share),
-                        render.repeats, number_text(render.relmse), number_text(render.mse),
-                        number_text(render.psnr_srgb8), number_text(render.flip));
+                        render.images, render.cpu_seconds, render.wall_seconds,
+                        number_text(render.render_seconds), number_text(render.trial_seconds), render.load,
+                        number_text(render.other_share), render.repeats, number_text(render.relmse),
+                        number_text(render.mse), number_text(render.psnr_srgb8), number_text(render.flip));
   return text;
 }
 

@@ -1,6 +1,7 @@
 #include "studies/cost/numbers.h"
 
 #include "studies/cost/schedule.h"
+#include "studies/cost/seeds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -161,7 +162,8 @@ LogRatio log_ratio_of(const TimeToError& first, const TimeToError& second) {
                  {-std::log(first.cpu_seconds->value), first.log_error * first.log_error, first.degrees}});
 }
 
-CostNumbers cost_numbers(const CostRecord& record) {
+CostNumbers cost_numbers(const CostRecord& measured) {
+  const auto record = with_times_of_one_image(measured);
   CostNumbers numbers;
   for (std::size_t sweep = 0; sweep < record.sweeps.size(); ++sweep) {
     auto curve = cost_curve(record, sweep);

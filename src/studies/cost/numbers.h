@@ -122,6 +122,6 @@ void fields(Visitor& visit, Record& numbers) {
 /// The second's time over the first's, both exact.
 LogRatio log_ratio_of(const TimeToError& first, const TimeToError& second);
 
-CostNumbers cost_numbers(const CostRecord& record);
+CostNumbers cost_numbers(const CostRecord& measured);
 
 }  // namespace orbs::studies

@@ -46,6 +46,9 @@ struct CostRenderer {
   std::string version;
   SweepOf sweep = SweepOf::Samples;
   std::string biased;  // why no time makes it right; "" where nothing is known
+  /// Of one whose seeds are the images of a run, see registry::ImageSequence: how many of them one render
+  /// takes. 0 for all others.
+  int sequence_images = 0;
 };
 
 template <class Visitor, json::RecordOf<CostRenderer> Record>
@@ -54,6 +57,7 @@ void fields(Visitor& visit, Record& renderer) {
   visit("version", renderer.version);
   visit("sweep", renderer.sweep);
   visit("biased", renderer.biased);
+  visit("sequence_images", renderer.sequence_images, {.range = {.min = 0}});
 }
 
 /// The expectation of the errors that the noise of the reference makes alone.
@@ -148,6 +152,9 @@ struct CostRender {
   int spp = 1;
   int seed = 1;
   int order = 0;  // counts the renders of the study as they were made
+  /// That its processes rendered for each one that counts: more than 1 where those before a seed of a
+  /// sequence are rendered, too. The times are those of the processes.
+  double images = 1;
   double cpu_seconds = 0;
   double wall_seconds = 0;
   std::optional<double> render_seconds = {};  // that the renderer states
@@ -168,6 +175,7 @@ void fields(Visitor& visit, Record& render) {
   visit("spp", render.spp);
   visit("seed", render.seed);
   visit("order", render.order);
+  visit("images", render.images, {.range = {.min = 1}});
   visit("cpu_seconds", render.cpu_seconds);
   visit("wall_seconds", render.wall_seconds);
   visit("render_seconds", render.render_seconds);

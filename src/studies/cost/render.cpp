@@ -147,15 +147,18 @@ std::optional<CostRender> measured_render(const CostMeasurement& study,
   wanted.load = run::load_average();
   wanted.order = static_cast<int>(study.record.renders.size());
   const auto before = study.request.machine_time();
+  // Of a sequence, the fixed cost is that of its first image: its seeds count how often it was measured.
+  const bool is_first = is_fixed && study.record.renderers[wanted.renderer].sequence_images > 0;
   const auto made = run::render_once(prepared,
                                      {wanted.spp,
-                                      wanted.seed,
+                                      is_first ? 1 : wanted.seed,
                                       study.record.settings.threads,
                                       {},
                                       !subject.one_case->negative_values.empty()},
                                      study.context.stop);
   if (!made) return std::nullopt;
   const auto after = study.request.machine_time();
+  wanted.images = made->cost.images;
   wanted.cpu_seconds = made->cost.cpu_seconds;
   if (before && after)
     wanted.other_share =

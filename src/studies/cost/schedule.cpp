@@ -1,6 +1,7 @@
 #include "studies/cost/schedule.h"
 
 #include "studies/cost/curve.h"
+#include "studies/cost/seeds.h"
 
 #include <algorithm>
 #include <random>
@@ -11,9 +12,6 @@
 namespace orbs::studies {
 
 namespace {
-
-// So that no two settings share a seed: nested samples are not independent.
-constexpr int kSeedsOfSetting = 1000;
 
 // Without random samples, every further image would be the same; its time is measured twice.
 int seeds_of(const CostRecord& record, const Sweep& sweep) {
@@ -41,8 +39,6 @@ Order shuffled(Order order, std::mt19937& random) {
   return order;
 }
 
-std::size_t setting_of_self(const Sweep& sweep) { return std::min(kPointsOfEach, sweep.settings.size()) - 1; }
-
 // One seed of one setting of a sweep, with the fixed cost before the first and the render again behind the
 // one that is compared with itself.
 void add_point(const CostRecord& record,
@@ -58,11 +54,12 @@ void add_point(const CostRecord& record,
   wanted.purpose = Purpose::Sweep;
   wanted.setting = sweep.settings[setting].name;
   wanted.spp = sweep.settings[setting].spp;
-  wanted.seed = 1 + round + kSeedsOfSetting * (1 + static_cast<int>(setting));
+  const auto rule = seed_rule(record, sweep);
+  wanted.seed = 1 + round + seed_before(rule, sweep, setting);
   tasks.push_back({wanted, index, setting, round == 0});
-  if (sweep.renderer != 0 || setting != setting_of_self(sweep)) return;
+  if (!rule.is_again || setting != setting_of_again(sweep)) return;
   wanted.purpose = Purpose::Again;
-  wanted.seed += kSeedsOfSetting * static_cast<int>(sweep.settings.size());
+  wanted.seed = 1 + round + seed_before_again(rule, sweep);
   tasks.push_back({wanted, index, setting, false});
   // Which of the two comes first must not always be the same.
   if (round % 2 == 1) std::swap(tasks[tasks.size() - 2], tasks.back());

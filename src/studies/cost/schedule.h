@@ -10,9 +10,6 @@
 /// Which render of a study comes when, so that a budget that ends early has been shared by all curves.
 namespace orbs::studies {
 
-/// The sample counts that each curve gets before any curve gets more: fewer show neither a slope nor a bend.
-inline constexpr std::size_t kPointsOfEach = 3;
-
 /// Renders of each point without which there is no scatter and so no interval.
 inline constexpr int kSeedsOfEach = 2;
 

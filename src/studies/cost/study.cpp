@@ -130,7 +130,8 @@ void describe_renderers(CostMeasurement& study) {
     study.record.renderers.push_back(
         {chosen.entry.name, run::renderer_version(chosen, study.plan, {.say = study.context.say}),
          chosen.entry.timing.cost_sweep.empty() ? SweepOf::Samples : SweepOf::Settings,
-         chosen.entry.sampling.biased});
+         chosen.entry.sampling.biased,
+         chosen.entry.command.sequence.words.empty() ? 0 : chosen.entry.sampling.seeds});
 }
 
 void check_targets(const CostRecord& record, const std::vector<CostTarget>& earlier) {

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "studies/cost/schedule.h"
+#include "studies/cost/seeds.h"
 
 #include <algorithm>
 #include <chrono>
@@ -21,6 +22,11 @@ constexpr int kMostSpp = 1 << kMostHalvings;
 constexpr int kFewestPoints = 4;  // that a fit needs
 constexpr int kHalvings = static_cast<int>(kPointsOfEach) - 1;
 
+SeedRule seed_rule(const CostPilot& pilot, const CostSettings& settings) {
+  return {pilot.sequence_images, pilot.settings.empty() ? SweepOf::Samples : SweepOf::Settings,
+          renders_per_setting(pilot, settings), pilot.renderer == 0};
+}
+
 SweepSetting sample_setting(int spp) { return {fmt::format("{} spp", spp), spp}; }
 
 double seconds_per_sample(const CostPilot& pilot) {
@@ -28,6 +34,22 @@ double seconds_per_sample(const CostPilot& pilot) {
   if (!pilot.setting_seconds.empty())
     return std::max(0.0, pilot.setting_seconds.front() - pilot.fixed_seconds) / pilot.settings.front().spp;
   return std::max(0.0, pilot.seconds - pilot.fixed_seconds) / pilot.spp;
+}
+
+// Of one render of a setting by samples, its fixed cost aside; of a sequence with the images that are
+// rendered in vain.
+double seconds_of_samples(const CostPilot& pilot,
+                          const Sweep& sweep,
+                          const CostSettings& settings,
+                          std::size_t setting) {
+  return seconds_per_sample(pilot) * sweep.settings[setting].spp *
+         images_of_setting(seed_rule(pilot, settings), sweep, setting);
+}
+
+// Likewise how many images one of the settings that the configuration lists takes: all begin at the first.
+double images_of_qualities(const CostPilot& pilot, const CostSettings& settings) {
+  const Sweep any{pilot.target, pilot.renderer, pilot.settings, "", ""};
+  return images_of_setting(seed_rule(pilot, settings), any, 0);
 }
 
 // Powers of two, at which low-discrepancy samples are best.
@@ -99,7 +121,7 @@ std::optional<std::size_t> most_samples(const std::vector<CostPilot>& pilots,
   for (std::size_t i = 0; i < pilots.size(); ++i) {
     if (!pilots[i].settings.empty() || !is_worth_halving(pilots[i], sweeps[i], settings, share_seconds))
       continue;
-    const double seconds = seconds_per_sample(pilots[i]) * sweeps[i].settings.back().spp;
+    const double seconds = seconds_of_samples(pilots[i], sweeps[i], settings, sweeps[i].settings.size() - 1);
     if (seconds <= most) continue;
     most = seconds;
     slowest = i;
@@ -121,17 +143,17 @@ bool may_try_next_setting(const CostPilot& pilot, const CostSettings& settings, 
   const double growth =
       tried.size() == 1 ? kUsualGrowth : std::max(1.0, tried.back() / tried[tried.size() - 2]);
   const double sum = std::accumulate(tried.begin(), tried.end(), tried.back() * growth);
-  return sum * renders_per_setting(pilot, settings) <= share_seconds;
+  return sum * renders_per_setting(pilot, settings) * images_of_qualities(pilot, settings) <= share_seconds;
 }
 
 double expected_seconds(const CostPilot& pilot, const Sweep& sweep, const CostSettings& settings) {
   double seconds = settings.seeds * pilot.fixed_seconds;
   if (!pilot.settings.empty())
     return std::accumulate(pilot.setting_seconds.begin(), pilot.setting_seconds.end(), 0.0) *
-               renders_per_setting(pilot, settings) +
+               renders_per_setting(pilot, settings) * images_of_qualities(pilot, settings) +
            seconds;
-  for (const auto& setting : sweep.settings)
-    seconds += settings.seeds * (pilot.fixed_seconds + seconds_per_sample(pilot) * setting.spp);
+  for (std::size_t i = 0; i < sweep.settings.size(); ++i)
+    seconds += settings.seeds * (pilot.fixed_seconds + seconds_of_samples(pilot, sweep, settings, i));
   return seconds;
 }
 
@@ -198,7 +220,8 @@ std::optional<CostPilot> try_settings(const CostMeasurement& study,
     const auto made = measured_render(study, wanted);
     if (!made) return std::nullopt;
     found.setting_seconds.push_back(
-        std::min(made->wall_seconds, made->cpu_seconds));  // as for the fixed cost
+        seconds_of_one_image(std::min(made->wall_seconds, made->cpu_seconds),  // as for the fixed cost
+                             found.fixed_seconds, made->images));
     study.context.say(fmt::format("pilot  {:<10} {:<18} {:>10}  {:5.2f} dB  {:6.2f} s",
                                   study.plan.renderers[wanted.renderer].entry.name,
                                   study.record.targets[wanted.target].name, setting.name,
@@ -213,25 +236,24 @@ std::optional<CostPilot> pilot(const CostMeasurement& study,
                                std::size_t target,
                                std::size_t renderer,
                                double share_seconds) {
-  constexpr int kPilotSpp = 8;  // enough: the error of an image is a mean over all its pixels
   const auto& entry = study.plan.renderers[renderer].entry;
   CostPilot found{target, renderer, 0, kPilotSpp, 0, 0, 1, listed_settings(entry)};
+  found.sequence_images = study.record.renderers[renderer].sequence_images;
   CostRender wanted{.target = target, .renderer = renderer, .purpose = Purpose::FixedCost};
   const auto fixed = measured_render(study, wanted);
   if (!fixed) return std::nullopt;
   // Not its wall clock where that is longer: other work on the machine would count for every render.
   found.fixed_seconds = std::min(fixed->wall_seconds, fixed->cpu_seconds);
   found.is_noise_free = entry.sampling.is_noise_free;
-  constexpr int kPilotSeed = 900;  // of no setting
   wanted.purpose = Purpose::Sweep;
-  wanted.seed = kPilotSeed;
+  wanted.seed = pilot_seed(seed_rule(found, study.record.settings));
   if (!found.settings.empty()) return try_settings(study, wanted, share_seconds, found);
   wanted.spp = found.spp;
   const auto made = measured_render(study, wanted);
   if (!made) return std::nullopt;
   // Not its wall clock: other work on the machine would count for every sample of every setting.
-  found.seconds = found.fixed_seconds +
-                  std::max(0.0, made->cpu_seconds - fixed->cpu_seconds) / study.record.settings.threads;
+  found.seconds = found.fixed_seconds + std::max(0.0, made->cpu_seconds - fixed->cpu_seconds) /
+                                            study.record.settings.threads / made->images;
   found.psnr_srgb8 = made->psnr_srgb8.value_or(0);
   study.context.say(fmt::format("pilot  {:<10} {:<18} {:>6} spp  {:5.2f} dB  {:6.2f} s", entry.name,
                                 study.record.targets[target].name, found.spp, found.psnr_srgb8,

@@ -22,6 +22,7 @@ struct CostPilot {
   /// Wall clock of the settings that were tried, the first of the list; the study has no more of them.
   std::vector<double> setting_seconds = {};
   bool is_noise_free = false;
+  int sequence_images = 0;  // see CostRenderer
 };
 
 /// Renders of each setting: without random samples, every further image would be the same, and its time is

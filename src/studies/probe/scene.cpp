@@ -5,6 +5,7 @@
 #include "image/image_io.h"
 #include "scene/lower/geometry.h"
 #include "scene/lower/lower.h"
+#include "scene/motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -97,7 +98,7 @@ void fit_camera(scene::Camera& camera, int most_px) {
 }
 
 ProbeScene make_id_pass(const scene::Scene& original, int most_px) {
-  scene::Scene scene = original;
+  scene::Scene scene = scene::at_time(original, original.camera.shutter.open);
   scene::tessellate_spheres(scene);
   for (const char* level : {"S1", "S2"}) scene::tessellate_shapes(scene, level);
   if (!scene.shapes.empty())

@@ -27,7 +27,8 @@ struct ProbeScene {
 void fit_camera(scene::Camera& camera, int most_px);
 
 /// The scene with a camera of at most `most_px` pixels on the longer side, where each object emits a
-/// different flat colour. A mesh with several instances gets its materials by remap lists.
+/// different flat colour. A mesh with several instances gets its materials by remap lists. What moves rests
+/// where it is as the shutter opens.
 ProbeScene make_id_pass(const scene::Scene& original, int most_px);
 
 /// Side of the ramp texture in texels.

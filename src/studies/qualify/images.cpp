@@ -4,6 +4,7 @@
 #include "base/files.h"
 #include "base/nth.h"
 #include "image/image_io.h"
+#include "metrics/merged_renders.h"
 #include "run/render.h"
 #include "scene/render_fault.h"
 #include "scene/scene.h"
@@ -17,7 +18,7 @@ namespace orbs::studies {
 
 namespace {
 
-constexpr int kSeed = 2;  // any that no reference has
+constexpr int kSeed = 2;  // any that no reference has, as the next one
 
 bool glows(const scene::Scene& scene) {
   const auto visible = scene::visible_materials(scene);
@@ -50,8 +51,8 @@ std::string why_no_light_can_miss(const scene::Scene& scene) {
 namespace {
 
 // Negative values are for the gates to judge: those of a colour outside of the gamut are right.
-run::RenderSettings settings_of_mutants(const run::Plan& plan, int spp) {
-  return {.spp = spp, .seed = kSeed, .threads = plan.threads, .may_be_negative = true};
+run::RenderSettings settings_of_mutants(const run::Plan& plan, int spp, int seed = kSeed) {
+  return {.spp = spp, .seed = seed, .threads = plan.threads, .may_be_negative = true};
 }
 
 }  // namespace
@@ -80,6 +81,17 @@ bool makes_faults(const run::ChosenRenderer& renderer) {
   return renderer.executable.filename() == "orbs-tracer";
 }
 
+RenderedMutant mutant_of_renders(std::string name, FaultBySamples by_samples, int spp) {
+  auto image = by_samples.faulty[0];
+  // Those of a scene without noise are equal.
+  if (!image::has_same_colours(image, by_samples.faulty[1])) {
+    metrics::MergedRenders merged;
+    metrics::add_renders(merged, by_samples.faulty, spp);
+    image = std::move(merged.mean);
+  }
+  return {std::move(name), std::move(image), std::move(by_samples)};
+}
+
 std::optional<std::vector<RenderedMutant>> with_each_fault(const run::Plan& plan,
                                                            const run::PlannedScene& scene,
                                                            int spp,
@@ -87,24 +99,31 @@ std::optional<std::vector<RenderedMutant>> with_each_fault(const run::Plan& plan
                                                            const std::atomic<bool>* stop) {
   std::vector<RenderedMutant> images;
   if (!makes_faults(plan.renderers.front())) return images;
-  const auto rendered = [&](const std::vector<std::string>& more) -> std::optional<image::Image> {
+  const int half_spp = (spp + 1) / 2;
+  const auto rendered =
+      [&](const std::vector<std::string>& more) -> std::optional<std::array<image::Image, 2>> {
     auto renderer = plan.renderers.front();
     auto& words = renderer.entry.command.words;
     words.insert(words.end(), more.begin(), more.end());
     const auto folder = scratch / fmt::format("{}-{}", scene.name, more.empty() ? "right" : more.back());
     const auto subject = run::prepare_render(renderer, plan, *scene.scene, folder);
-    auto made = run::render_once(subject, settings_of_mutants(plan, spp), stop);
+    std::array<image::Image, 2> two;
+    for (int i = 0; i < 2; ++i) {
+      auto made = run::render_once(subject, settings_of_mutants(plan, half_spp, kSeed + i), stop);
+      if (!made) return std::nullopt;
+      two.at(static_cast<std::size_t>(i)) = std::move(made->image);
+    }
     remove_tree(folder);
-    return made ? std::optional(std::move(made->image)) : std::nullopt;
+    return two;
   };
   auto right = rendered({});
   if (!right) return std::nullopt;
-  const auto shared = std::make_shared<const image::Image>(std::move(*right));
+  const auto shared = std::make_shared<const std::array<image::Image, 2>>(std::move(*right));
   for (const auto& fault : scene::kRenderFaults) {
     if (!scene::why_fault_changes_nothing(*scene.scene, fault.fault).empty()) continue;
     auto made = rendered({"--fault", std::string(fault.name)});
     if (!made) return std::nullopt;
-    images.push_back({std::string(fault.name), std::move(*made), shared});
+    images.push_back(mutant_of_renders(std::string(fault.name), {std::move(*made), shared}, half_spp));
   }
   return images;
 }

@@ -4,6 +4,7 @@
 #include "results/record.h"
 #include "run/plan/plan.h"
 
+#include <array>
 #include <atomic>
 #include <filesystem>
 #include <memory>
@@ -21,14 +22,24 @@ image::Image control_image(const results::RunRecord& run,
                            const std::string& case_name,
                            const std::string& target);
 
+/// Two renders of a scene with a fault, of different seeds, and two without it of the same samples. What a
+/// fault changes shows in them however noisy the scene is, and the two tell the noise of the change.
+struct FaultBySamples {
+  std::array<image::Image, 2> faulty;
+  std::shared_ptr<const std::array<image::Image, 2>> right;
+};
+
 /// A scene rendered anew with a fault that no change of an image can make.
 struct RenderedMutant {
   std::string name;  // "without light 'turned'", "raw-textures"
   image::Image image;
-  /// The scene without the fault by the same samples: what is accepted by it is no fault of this scene, as
-  /// one bounce less of ten. Nothing where the fault is one of every scene.
-  std::shared_ptr<const image::Image> right = nullptr;
+  /// What is accepted by these is no fault of this scene, as one bounce less of ten. Nothing where the fault
+  /// is one of every scene.
+  std::optional<FaultBySamples> by_samples = std::nullopt;
 };
+
+/// With the mean of both renders as its image; `spp` is the samples of each.
+RenderedMutant mutant_of_renders(std::string name, FaultBySamples by_samples, int spp);
 
 /// Why no light of the scene can be left out such that another one still lights it: another light, a visible
 /// emitter or the environment. "" when one can.

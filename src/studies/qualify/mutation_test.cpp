@@ -2,11 +2,13 @@
 
 #include "faults/fault.h"
 #include "judge/judge.h"
-#include "judge/noise.h"
 #include "metrics/mask.h"
+#include "metrics/merged_renders.h"
+#include "metrics/seeds.h"
 #include "run/outcome.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -48,7 +50,13 @@ bool is_judged_alike(const MutationSubject& subject, const Image& a, const Image
   });
 }
 
-TargetRecord judged(const MutationSubject& subject, const Image& image, const judge::Reference& reference) {
+TargetRecord judged(const MutationSubject& subject,
+                    const Image& image,
+                    const judge::Reference& reference,
+                    const std::array<Image, 2>* halves = nullptr) {
+  // The paths of the suite's own reference alone are known.
+  auto one_case = subject.one_case;
+  if (&reference != &subject.reference) one_case.path_shares.clear();
   TargetRecord record;
   record.target = subject.target;
   adapters::Job expected;
@@ -62,8 +70,9 @@ TargetRecord judged(const MutationSubject& subject, const Image& image, const ju
     record.reason = usable.reason;
     return record;
   }
-  judge::judge_image(subject.one_case, image, reference, {.measured = judge::Measured::ForTheVerdict},
-                     record);
+  judge::JudgeSettings settings{.measured = judge::Measured::ForTheVerdict};
+  settings.looks.halves = halves;
+  judge::judge_image(one_case, image, reference, settings, record);
   return record;
 }
 
@@ -82,18 +91,39 @@ MutantRecord tried(const MutationSubject& subject, const std::string& fault, con
           fmt::format("{}: {}", results::verdict_name(record.verdict), record.reason)};
 }
 
-// Both images have the same samples, and so most of their noise: what the gates accept then is too little to
-// be a fault of this scene.
+// The mean of the right renders, and what the fault changes in each of two added to it: they share no noise
+// but that of the change.
+TargetRecord judged_by_samples(const MutationSubject& subject, const FaultBySamples& by_samples) {
+  const auto& right = *by_samples.right;
+  const Image mean = metrics::mean_of({right[0], right[1]});
+  std::array<Image, 2> changed{mean, mean};
+  for (std::size_t half = 0; half < 2; ++half) {
+    const auto faulty = image::select_rgb(by_samples.faulty.at(half), "");
+    const auto same = image::select_rgb(right.at(half), "");
+    auto& pixels = changed.at(half).pixels;
+    for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] += faulty.pixels[i] - same.pixels[i];
+  }
+  if (image::has_same_colours(changed[0], changed[1])) return judged(subject, changed[0], {"", mean, ""});
+  metrics::MergedRenders merged;
+  metrics::add_renders(merged, changed, 1);
+  return judged(subject, merged.mean, {"", mean, ""}, &merged.halves);
+}
+
+// What the gates accept when all noise but that of the change is away is too little to be a fault of this
+// scene.
 MutantRecord tried_render(const MutationSubject& subject, const RenderedMutant& mutant) {
-  if (mutant.right && image::has_same_colours(mutant.image, *mutant.right))
-    return {mutant.name, "it leaves the image as it is, to the bit", false, ""};
-  if (mutant.right) {
-    const auto by_right = judged(subject, judge::without_variances(mutant.image),
-                                 {"", judge::without_variances(*mutant.right), ""});
-    if (results::passes(by_right.verdict))
+  if (const auto& by_samples = mutant.by_samples) {
+    const auto& [faulty, right] = *by_samples;
+    if (image::has_same_colours(faulty[0], (*right)[0]) && image::has_same_colours(faulty[1], (*right)[1]))
+      return {mutant.name, "it leaves the image as it is, to the bit", false, ""};
+    const auto alone = judged_by_samples(subject, *by_samples);
+    if (results::passes(alone.verdict))
       return {mutant.name,
-              fmt::format("with the same samples it is accepted as the right image: {}", by_right.reason),
-              false, ""};
+              fmt::format("with the same samples it is accepted as the right image: {}", alone.reason), false,
+              ""};
+    auto record = tried(subject, mutant.name, mutant.image);
+    if (!record.rejected) record.reason += fmt::format("; with the same samples: {}", alone.reason);
+    return record;
   }
   return tried(subject, mutant.name, mutant.image);
 }

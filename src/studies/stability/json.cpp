@@ -4,6 +4,7 @@
 #include "json/document.h"
 #include "json/field_reader.h"
 #include "json/field_writer.h"
+#include "studies/stability/report.h"
 
 #include <fmt/format.h>
 
@@ -42,7 +43,10 @@ std::vector<results::Definition> stability_definitions() {
 std::string stability_json(const StabilityRecord& record) {
   json::Writer out;
   out.begin_object().member("format", results::kStability.format);
-  json::write_fields(out, StabilityStudy{.record = record, .matrix = stability_cells(record)});
+  StabilityStudy study{.record = record, .matrix = stability_cells(record), .summaries = {}};
+  for (std::size_t renderer = 0; renderer < record.renderers.size(); ++renderer)
+    study.summaries.push_back(stability_summary(record, renderer));
+  json::write_fields(out, study);
   return out.end_object().text();
 }
 

@@ -18,6 +18,7 @@ struct StabilityStudy {
   StabilityRecord record;
   std::vector<results::Definition> definitions = stability_definitions();
   std::vector<StabilityCell> matrix;
+  std::vector<std::string> summaries;  // of each renderer, see stability_summary
 };
 
 template <class Visitor, json::RecordOf<StabilityStudy> Record>
@@ -25,6 +26,7 @@ void fields(Visitor& visit, Record& study) {
   fields(visit, study.record);
   visit("definitions", study.definitions);
   visit("matrix", study.matrix);
+  visit("summaries", study.summaries);
 }
 
 std::string stability_json(const StabilityRecord& record);

@@ -1,6 +1,7 @@
 #include "studies/stability/report.h"
 
 #include "base/text_table.h"
+#include "results/study_kinds.h"
 #include "studies/stability/numbers.h"
 
 #include <algorithm>
@@ -22,7 +23,7 @@ std::string magnitude_text(double magnitude, const std::string& unit) {
 }
 
 std::string cell_text(const StabilityRecord& record, const StabilityCell& cell) {
-  if (cell.scenes == 0) return "-";
+  if (cell.scenes == 0) return cell.not_applicable > 0 ? "not applicable" : "not measured";
   const auto& relation = record.relations[cell.relation];
   const auto text_of = [&](double magnitude) { return magnitude_text(magnitude, relation.unit); };
   std::string text;
@@ -43,27 +44,50 @@ std::string cell_text(const StabilityRecord& record, const StabilityCell& cell) 
   if (!text.empty() && cell.is_bit_equal) text += ", to the bit";
   if (cell.inconclusive > 0)
     text += fmt::format("{}{} inconclusive", text.empty() ? "" : "; ", cell.inconclusive);
+  if (cell.not_applicable > 0)
+    text += fmt::format(" ({} of {})", cell.scenes, cell.scenes + cell.not_applicable);
+  return text;
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
   return text;
 }
 
 std::vector<TableRow> matrix_rows(const StabilityRecord& record) {
-  TableRow head{"relation", "change"};
+  TableRow head{"change", "relation"};
   for (const auto& renderer : record.renderers) head.push_back(renderer.name);
   std::vector<TableRow> rows{head};
-  for (const auto& relation : record.relations) rows.push_back({relation.name, relation.change});
+  for (const auto& relation : record.relations) rows.push_back({relation.change, relation.name});
   for (const auto& cell : stability_cells(record)) rows[cell.relation + 1].push_back(cell_text(record, cell));
   return rows;
 }
 
-std::vector<TableRow> break_rows(const StabilityRecord& record) {
-  std::vector<TableRow> rows{{"renderer", "relation", "at", "scene", "what happens"}};
+std::string summaries(const StabilityRecord& record) {
+  std::string text;
+  for (std::size_t renderer = 0; renderer < record.renderers.size(); ++renderer)
+    text += stability_summary(record, renderer) + "\n";
+  return text;
+}
+
+std::string picture(const std::string& folder, const char* name, const char* what) {
+  return folder.empty() ? "" : fmt::format("![{}]({}/{})", what, folder, name);
+}
+
+std::vector<TableRow> break_rows(const StabilityRecord& record, bool with_pictures) {
+  std::vector<TableRow> rows{{"renderer", "change", "at", "scene", "what happens"}};
+  if (with_pictures) rows.front().insert(rows.front().end(), {"original", "changed", "difference"});
   for (const auto& cell : stability_cells(record)) {
     if (!cell.first_break) continue;
     const auto& first = *cell.first_break;
     const auto& relation = record.relations[cell.relation];
-    rows.push_back({cell.renderer_name, relation.name,
+    rows.push_back({cell.renderer_name, relation.change,
                     relation.is_sweep ? magnitude_text(first.magnitude, relation.unit) : "", first.scene,
                     first.reason});
+    if (with_pictures)
+      rows.back().insert(rows.back().end(), {picture(first.images, results::kOriginalImage, "original"),
+                                             picture(first.images, results::kChangedImage, "changed"),
+                                             picture(first.images, results::kDifferenceImage, "difference")});
   }
   return rows;
 }
@@ -114,21 +138,44 @@ std::string break_text(const StabilityStep& step) {
                      100 * step.block_error);
 }
 
+std::string stability_summary(const StabilityRecord& record, std::size_t renderer) {
+  int measured = 0;
+  int right = 0;
+  std::string ends;
+  for (const auto& cell : stability_cells(record)) {
+    if (cell.renderer != renderer || cell.scenes == 0) continue;
+    ++measured;
+    if (!cell.first_break) {
+      right += cell.inconclusive < cell.scenes ? 1 : 0;
+      continue;
+    }
+    const auto& relation = record.relations[cell.relation];
+    auto shown = cell;
+    shown.inconclusive = shown.not_applicable = 0;
+    const auto end = cell_text(record, shown);
+    ends += fmt::format(" {}: {}{} ({}).", capitalised(relation.change), cell.held_to ? "right " : "", end,
+                        cell.first_break->scene);
+  }
+  if (measured == 0) return fmt::format("{}: nothing was measured.", record.renderers[renderer].name);
+  return fmt::format("{}: {} of {} changes leave the image right.{}", record.renderers[renderer].name, right,
+                     measured, ends);
+}
+
 std::string stability_table(const StabilityRecord& record) {
-  const auto breaks = break_rows(record);
+  const auto breaks = break_rows(record, false);
   const auto precision = precision_rows(record);
   return fmt::format(
-      "{}\n{}{}{}", text_table(matrix_rows(record)),
+      "{}\n{}\n{}{}{}", text_table(matrix_rows(record)), summaries(record),
       breaks.size() > 1 ? "First breaks\n" + text_table(breaks) + "\n" : "",
       precision.size() > 1 ? fmt::format("{}\n{}\n", kPrecisionTitle, text_table(precision)) : "",
       conditions(record));
 }
 
 std::string stability_markdown(const StabilityRecord& record) {
-  const auto breaks = break_rows(record);
+  const auto breaks = break_rows(record, true);
   const auto precision = precision_rows(record);
   return fmt::format(
-      "{}{}{}\n{}", markdown_table(matrix_rows(record)),
+      "{}\n{}{}{}\n{}", markdown_table(matrix_rows(record)), summaries(record),
       breaks.size() > 1 ? "\nFirst breaks:\n\n" + markdown_table(breaks) : "",
       precision.size() > 1 ? fmt::format("\n{}:\n\n{}", kPrecisionTitle, markdown_table(precision)) : "",
       conditions(record));

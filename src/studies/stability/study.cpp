@@ -226,6 +226,20 @@ std::string unsupported(const run::ChosenRenderer& renderer, const scene::Scene&
   return reason == nullptr ? "" : *reason;
 }
 
+void leave_out(StabilityMeasurement& study,
+               std::size_t scene,
+               std::size_t renderer,
+               const std::string& reason) {
+  for (std::size_t relation = 0; relation < study.request.relations.size(); ++relation) {
+    StabilityStep step{.scene = scene, .renderer = renderer, .relation = relation};
+    step.magnitude = study.request.relations[relation].of_scenes.magnitudes.front();
+    step.outcome = StepOutcome::NotApplicable;
+    step.reason = fmt::format("the renderer cannot render the scene: {}", reason);
+    if (find_step(study.record, step) == nullptr) study.record.steps.push_back(step);
+  }
+  store(study);
+}
+
 // False when the user interrupts.
 bool measure_pair(StabilityMeasurement& study, std::size_t scene_index, std::size_t renderer_index) {
   const auto& renderer = study.plan.renderers[renderer_index];
@@ -234,6 +248,7 @@ bool measure_pair(StabilityMeasurement& study, std::size_t scene_index, std::siz
   if (const auto reason = unsupported(renderer, scene); !reason.empty()) {
     study.context.say(fmt::format("{:<10} {:<16} not rendered: {}", renderer.entry.name,
                                   study.plan.scenes[scene_index].name, reason));
+    leave_out(study, scene_index, renderer_index, reason);
     return true;
   }
   StabilityImages images(study.plan, renderer, study.request.settings, study.context);

@@ -2,6 +2,7 @@
 
 #include "tracer/accel/curved_surface.h"
 #include "tracer/accel/double_triangles.h"
+#include "tracer/accel/moving_triangles.h"
 #include "tracer/accel/solid_geometry.h"
 #include "tracer/accel/user_geometry.h"
 #include "tracer/plugins/plugin_hit.h"
@@ -19,6 +20,7 @@ namespace orbs::tracer {
 namespace {
 
 constexpr std::size_t kPacket = 16;
+constexpr unsigned int kTimeSteps = 2;  // of what moves: start and end of the frame
 
 constexpr std::array<std::array<std::uint32_t, 3>, 2> kQuadTriangles{{{0, 1, 2}, {0, 2, 3}}};
 
@@ -40,6 +42,7 @@ struct Accel::State {
   std::vector<RTCScene> mesh_scenes;
   std::vector<std::shared_ptr<const void>> surfaces;          // with tests of their own
   std::vector<std::vector<DoubleTriangle>> double_triangles;  // of the objects, where they are wanted
+  std::vector<std::vector<MovingTriangle>> moving_triangles;  // likewise
 
   explicit State(bool triangles_are_double) : is_double(triangles_are_double), device(rtcNewDevice(nullptr)) {
     rtcSetDeviceErrorFunction(device, on_error, nullptr);
@@ -69,12 +72,22 @@ struct Accel::State {
     rtcReleaseGeometry(geometry);
   }
 
+  // The vertices are copied because Embree reads 16 bytes at the last one, past the end of a shared buffer.
+  static void set_vertices(RTCGeometry geometry,
+                           unsigned int time_step,
+                           const std::vector<Vec3f>& positions) {
+    auto* vertices = static_cast<Vec3f*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, time_step, RTC_FORMAT_FLOAT3, sizeof(Vec3f), positions.size()));
+    std::copy(positions.begin(), positions.end(), vertices);
+  }
+
   void add_mesh(RTCScene scene, const TriangleMesh& mesh, unsigned int id) const {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    // The vertices are copied because Embree reads 16 bytes at the last one, past the end of a shared buffer.
-    auto* vertices = static_cast<Vec3f*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), mesh.positions.size()));
-    std::copy(mesh.positions.begin(), mesh.positions.end(), vertices);
+    if (!mesh.end_positions.empty()) {
+      rtcSetGeometryTimeStepCount(geometry, kTimeSteps);
+      set_vertices(geometry, 1, mesh.end_positions);
+    }
+    set_vertices(geometry, 0, mesh.positions);
     rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, mesh.triangles.data(), 0,
                                sizeof(mesh.triangles[0]), mesh.triangles.size());
     attach(scene, geometry, id);
@@ -99,6 +112,11 @@ struct Accel::State {
     attach(top, make_user_geometry(device, std::span<const DoubleTriangle>(double_triangles.back())), id);
   }
 
+  void add_moving_double(std::vector<MovingTriangle> triangles, unsigned int id) {
+    moving_triangles.push_back(std::move(triangles));  // as above
+    attach(top, make_user_geometry(device, std::span<const MovingTriangle>(moving_triangles.back())), id);
+  }
+
   template <typename Surface>
   void add_surface(Surface surface, unsigned int id) {
     const auto kept = std::make_shared<const Surface>(std::move(surface));
@@ -112,6 +130,11 @@ struct Accel::State {
     add_surface(std::move(surface), id);
   }
 
+  static void set_transform(RTCGeometry geometry, unsigned int time_step, const Affine& to_world) {
+    const std::array<Vec3f, 4> columns{to_world.axes[0], to_world.axes[1], to_world.axes[2], to_world.offset};
+    rtcSetGeometryTransform(geometry, time_step, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
+  }
+
   void add_instance(const RenderObject& object, const TriangleMesh& mesh, unsigned int id) {
     if (mesh_scenes.size() <= object.mesh) mesh_scenes.resize(object.mesh + 1, nullptr);
     RTCScene& own = mesh_scenes[object.mesh];
@@ -122,9 +145,11 @@ struct Accel::State {
     }
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(geometry, own);
-    std::array<Vec3f, 4> columns{object.to_world.axes[0], object.to_world.axes[1], object.to_world.axes[2],
-                                 object.to_world.offset};
-    rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns.data());
+    if (object.kind == ObjectKind::MovingMesh) {
+      rtcSetGeometryTimeStepCount(geometry, kTimeSteps);
+      set_transform(geometry, 1, object.end_to_world);
+    }
+    set_transform(geometry, 0, object.to_world);
     attach(top, geometry, id);
   }
 };
@@ -132,12 +157,16 @@ struct Accel::State {
 Accel::Accel(const AccelGeometry& geometry, Intersection intersection)
     : state_(std::make_unique<State>(intersection == Intersection::Double)) {
   state_->double_triangles.reserve(geometry.objects.size());
+  state_->moving_triangles.reserve(geometry.objects.size());
   for (unsigned int id = 0; id < geometry.objects.size(); ++id) {
     const RenderObject& object = geometry.objects[id];
-    const bool is_instance = object.kind == ObjectKind::InstancedMesh;
+    const bool is_moving = object.kind == ObjectKind::MovingMesh;
+    const bool is_instance = object.kind == ObjectKind::InstancedMesh || is_moving;
     if (object.kind == ObjectKind::WorldMesh || is_instance) {
       const TriangleMesh& mesh = geometry.meshes[object.mesh];
-      if (state_->is_double || !mesh.exact_positions.empty())
+      if (state_->is_double && is_moving)
+        state_->add_moving_double(moving_triangles(object, mesh), id);
+      else if (state_->is_double || !mesh.exact_positions.empty())
         state_->add_double(world_triangles(object, mesh), id);
       else if (is_instance)
         state_->add_instance(object, mesh, id);
@@ -178,7 +207,7 @@ void load_ray(Packet& packet, std::size_t lane, const Ray& ray) {
   packet.dir_z[lane] = ray.direction.z;
   packet.tnear[lane] = ray.nearest;
   packet.tfar[lane] = ray.reach;
-  packet.time[lane] = 0;
+  packet.time[lane] = ray.time;
   packet.mask[lane] = 0xffffffffU;
   packet.id[lane] = static_cast<unsigned int>(lane);
   packet.flags[lane] = 0;

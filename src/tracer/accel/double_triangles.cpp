@@ -30,12 +30,12 @@ Shear shear_along(Vec3d direction) {
   return shear;
 }
 
+}  // namespace
+
 Vec3d to_world(const Affine& map, Vec3d p) {
   return cast<double>(map.axes[0]) * p.x + cast<double>(map.axes[1]) * p.y + cast<double>(map.axes[2]) * p.z +
          cast<double>(map.offset);
 }
-
-}  // namespace
 
 std::optional<TriangleHit> intersect(
     const DoubleTriangle& triangle, Vec3d origin, Vec3d direction, double near, double far) {

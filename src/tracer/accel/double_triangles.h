@@ -24,6 +24,9 @@ struct TriangleHit {
 std::optional<TriangleHit> intersect(
     const DoubleTriangle& triangle, Vec3d origin, Vec3d direction, double near, double far);
 
+/// The map of a point in double precision.
+Vec3d to_world(const Affine& map, Vec3d p);
+
 /// The triangles of a mesh in world space. One of no area by the arithmetic of its shading has three equal
 /// corners, so that nothing hits it in double precision either.
 std::vector<DoubleTriangle> world_triangles(const RenderObject& object, const TriangleMesh& mesh);

@@ -18,6 +18,7 @@ struct UserRay {
   Vec3f direction;
   float near = 0;
   float far = 0;
+  float time = 0;
 };
 
 struct UserBounds {
@@ -47,7 +48,8 @@ inline UserRay user_ray(RTCRayN* rays, unsigned int n, unsigned int i) {
   return {{RTCRayN_org_x(rays, n, i), RTCRayN_org_y(rays, n, i), RTCRayN_org_z(rays, n, i)},
           {RTCRayN_dir_x(rays, n, i), RTCRayN_dir_y(rays, n, i), RTCRayN_dir_z(rays, n, i)},
           RTCRayN_tnear(rays, n, i),
-          RTCRayN_tfar(rays, n, i)};
+          RTCRayN_tfar(rays, n, i),
+          RTCRayN_time(rays, n, i)};
 }
 
 template <typename Shape>

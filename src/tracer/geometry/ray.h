@@ -12,6 +12,7 @@ struct Ray {
   Vec3f direction;  // unit for camera and scattered rays; target - origin for shadow rays
   float reach = std::numeric_limits<float>::infinity();  // in units of direction
   float nearest = 0;                                     // least distance of a hit, likewise
+  float time = 0;                                        // within the frame; all rays of a path have the same
 };
 
 /// Hit::object of rays that hit nothing.

@@ -29,7 +29,10 @@ struct TriangleMesh {
   std::vector<TriangleCache> triangle_cache;  // per triangle
   /// Positions in double of a mesh that is much larger than all else, whose corners in floats are too coarse
   /// for the scene on it. Empty otherwise.
-  std::vector<Vec3d> exact_positions;
+  std::vector<Vec3d> exact_positions{};
+  /// At the end of the frame, of a mesh that changes its shape; else empty.
+  std::vector<Vec3f> end_positions{};
+  std::vector<Vec3f> end_normals{};
 };
 
 struct SphereSurface {
@@ -38,22 +41,24 @@ struct SphereSurface {
   int material = 0;
 };
 
-enum class ObjectKind { WorldMesh, InstancedMesh, Light, Sphere, Solid, PluginShape };
+enum class ObjectKind { WorldMesh, InstancedMesh, MovingMesh, Light, Sphere, Solid, PluginShape };
 
 /// Spheres, other shapes by their formula and those of plug-ins: they have no triangles.
 constexpr bool is_analytic(ObjectKind kind) { return kind >= ObjectKind::Sphere; }
 
 /// One object that rays can hit: a mesh with its vertices in world space, an instance of a mesh in the space
-/// of the mesh, a light, a sphere, another shape by its formula, or a shape of a plug-in.
+/// of the mesh, one of a mesh that moves or changes its shape within the frame, a light, a sphere, another
+/// shape by its formula, or a shape of a plug-in.
 struct RenderObject {
   ObjectKind kind = ObjectKind::WorldMesh;
-  std::size_t mesh = 0;          // index into World::meshes
-  std::size_t light = 0;         // index into World::lights
-  std::size_t sphere = 0;        // index into World::spheres
-  std::size_t solid = 0;         // index into World::solids
-  std::size_t plugin_shape = 0;  // index into World::plugin_shapes
-  Affine to_world;               // InstancedMesh only
-  Affine normal_to_world;
+  std::size_t mesh = 0;            // index into World::meshes
+  std::size_t light = 0;           // index into World::lights
+  std::size_t sphere = 0;          // index into World::spheres
+  std::size_t solid = 0;           // index into World::solids
+  std::size_t plugin_shape = 0;    // index into World::plugin_shapes
+  Affine to_world;                 // InstancedMesh, and MovingMesh at the start of the frame
+  Affine end_to_world;             // MovingMesh only, at its end
+  Affine normal_to_world;          // InstancedMesh only
   std::vector<int> material_of;    // material of the mesh -> material shown (remap list applied)
   std::vector<int> mirror_planes;  // per triangle: index into World::mirror_planes or -1; empty without any
   std::vector<int> emitters;       // per triangle: index into World::emitters or -1; empty without any

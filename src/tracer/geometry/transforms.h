@@ -5,6 +5,7 @@
 #include "tracer/geometry/lanes.h"
 
 #include <array>
+#include <cmath>
 
 namespace orbs::tracer {
 
@@ -24,6 +25,20 @@ inline Affine affine(const Mat4& m) {
   for (std::size_t c = 0; c < 3; ++c) out.axes[c] = cast<float>(Vec3d{m(0, c), m(1, c), m(2, c)});
   out.offset = cast<float>(Vec3d{m(0, 3), m(1, 3), m(2, 3)});
   return out;
+}
+
+/// Entry by entry, as Embree interpolates the transforms of moving instances.
+inline Affine between(const Affine& start, const Affine& end, float time) {
+  Affine out;
+  for (std::size_t c = 0; c < 3; ++c) out.axes[c] = start.axes[c] * (1 - time) + end.axes[c] * time;
+  out.offset = start.offset * (1 - time) + end.offset * time;
+  return out;
+}
+
+/// The direction of a sum of normals. Opposite ones can cancel in it; another normal then replaces them.
+inline Vec3f unit_or(Vec3f normal, Vec3f other) {
+  const float squared = dot(normal, normal);
+  return squared > 0 ? normal / std::sqrt(squared) : other;
 }
 
 /// Right-handed orthonormal basis whose z axis is the surface normal.

@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "tracer/geometry/transforms.h"
+#include "tracer/integrator/timed_camera_ray.h"
 #include "tracer/sampling/warps.h"
 #include "tracer/world/surface.h"
 
@@ -52,8 +53,8 @@ class TileWorker {
       for (std::uint32_t i = 0; i < pass.count; ++i) {
         const auto u = draw(block, pass.first + i, 0, SampleDimension::PixelAndFirstLight);
         samples_.push_back({pixel, block, pass.first + i});
-        camera_rays_.push_back(camera_ray(world_.camera, static_cast<float>(camera_x) + u[0],
-                                          static_cast<float>(camera_y) + u[1]));
+        camera_rays_.push_back(timed_camera_ray(world_, static_cast<float>(camera_x) + u[0],
+                                                static_cast<float>(camera_y) + u[1], block, pass.first + i));
       }
     }
     pass_ = pass;
@@ -95,7 +96,7 @@ class TileWorker {
     ray_samples_.push_back(i);
     occlusion_rays_.push_back(
         {offset_origin(point.position, point.position_error, point.geometric_normal, direction), direction,
-         static_cast<float>(settings.distance_m)});
+         static_cast<float>(settings.distance_m), 0, ray.time});
   }
 
   const World& world_;

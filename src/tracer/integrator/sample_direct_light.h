@@ -127,7 +127,7 @@ void sample_direct_light(PathBatch<T>& batch,
     const auto throughput =
         T::chain(path.throughput, f_cos[lane], [&] { return scattering_at(vertices, frame, lane, wo, wi); });
     const Vec3f from = lane_of(origin, lane);
-    batch.shadow_rays.push_back({from, light.target[lane] - from, 1});
+    batch.shadow_rays.push_back({from, light.target[lane] - from, 1, 0, path.ray.time});
     batch.shadow_payloads.push_back(
         {T::contribute(throughput, emitted), vertices.path[lane], events.index()});
   }

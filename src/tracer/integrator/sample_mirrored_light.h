@@ -48,7 +48,9 @@ void sample_mirrored_light(PathBatch<T>& batch,
   const float weight = light_weight(world.direct_light, pdf, value.pdf, 0.0F) / pdf;
   const auto emitted = T::radiance(world, light->radiance, path.lambda) * weight;
   batch.mirror_rays.push_back(
-      {offset_origin(position, vertices.position_error[lane], geometric_normal, direction), direction});
+      {.origin = offset_origin(position, vertices.position_error[lane], geometric_normal, direction),
+       .direction = direction,
+       .time = path.ray.time});
   const auto throughput = T::chain(path.throughput, value.f_cos, [&] {
     return Scattering<typename T::Bsdf>{vertices.bsdf[lane], frame, lane_of(vertices.to_viewer, lane), wo,
                                         wi};
@@ -111,7 +113,7 @@ void resolve_mirror_rays(PathBatch<T>& batch, const World& world) {
     const SurfacePoint& point = found->point;
     const Vec3f origin = offset_origin(point.position, point.position_error, point.geometric_normal,
                                        payload.target - point.position);
-    batch.shadow_rays.push_back({origin, payload.target - origin, 1});
+    batch.shadow_rays.push_back({origin, payload.target - origin, 1, 0, ray.time});
     batch.shadow_payloads.push_back(
         {T::contribute(throughput, payload.emitted), payload.path, payload.path_class});
   }

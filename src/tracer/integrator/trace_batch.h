@@ -7,6 +7,7 @@
 #include "tracer/integrator/sample_mirrored_light.h"
 #include "tracer/integrator/scatter.h"
 #include "tracer/integrator/shade_hit.h"
+#include "tracer/integrator/timed_camera_ray.h"
 
 #include <span>
 
@@ -31,9 +32,10 @@ void start_paths(PathBatch<T>& batch, const World& world, std::span<const Sample
     path = {};
     path.sample = i;
     path.first_light_numbers = {u[2], u[3]};
-    path.ray =
-        camera_ray(world.camera, static_cast<float>(sample.x) + u[0], static_cast<float>(sample.y) + u[1]);
-    path.throughput = T::start(world.camera, path.ray);
+    path.ray = timed_camera_ray(world, static_cast<float>(sample.x) + u[0],
+                                static_cast<float>(sample.y) + u[1], sample.block, sample.index);
+    path.throughput = world.moving_camera ? T::start(camera_at(world, path.ray.time), path.ray)
+                                          : T::start(world.camera, path.ray);
     path.lambda = T::sample_lambda([&samples, i] {
       const auto point = draw(samples[i].block, samples[i].index, 0, SampleDimension::Wavelength);
       return spectra::wavelength_number(point[0], point[1]);

@@ -58,6 +58,7 @@ int pair_of(SampleDimension dimension) {
       return 1;
     case SampleDimension::LightPick:
     case SampleDimension::Wavelength:
+    case SampleDimension::Time:
     case SampleDimension::Reradiation:
       break;
   }

@@ -1,6 +1,7 @@
 #include "tracer/world/build_meshes.h"
 
 #include "base/nth.h"
+#include "scene/motion.h"
 #include "tracer/geometry/transforms.h"
 #include "tracer/shapes/build_solids.h"
 
@@ -16,8 +17,14 @@ constexpr std::size_t kNotAdded = std::numeric_limits<std::size_t>::max();
 // double they would take several times as long to meet.
 constexpr std::size_t kMostExactTriangles = 1024;
 
+// A mesh that changes its shape is never moved by a matrix here.
 TriangleMesh copy_mesh(const scene::Mesh& mesh, const Mat4& matrix) {
-  TriangleMesh out{mesh.positions, mesh.normals, mesh.uvs, mesh.triangles, mesh.triangle_materials, {}, {}};
+  TriangleMesh out{mesh.positions, mesh.normals, mesh.uvs, mesh.triangles, mesh.triangle_materials, {}};
+  if (mesh.end) {  // moving_surface.h normalises what it has interpolated
+    out.end_positions = mesh.end->positions;
+    out.end_normals = mesh.end->normals;
+    return out;
+  }
   if (matrix == Mat4{}) {
     for (Vec3f& n : out.normals) n = normalised(n);
     return out;
@@ -71,7 +78,8 @@ void add_meshes(const scene::Scene& scene,
     RenderObject object;
     for (int m = 0; m < static_cast<int>(scene.materials.size()); ++m)
       object.material_of.push_back(scene::remapped(instance, m));
-    if (copied <= most_copied_triangles || uses[index] == 1) {
+    const bool is_moving = scene::is_moving(scene, instance);
+    if (!is_moving && (copied <= most_copied_triangles || uses[index] == 1)) {
       object.mesh = world.meshes.size();
       world.meshes.push_back(copy_mesh(scene.meshes[index], matrix));
       if (is_vast[i] && scene.meshes[index].triangles.size() <= kMostExactTriangles)
@@ -81,10 +89,13 @@ void add_meshes(const scene::Scene& scene,
         shared[index] = world.meshes.size();
         world.meshes.push_back(copy_mesh(scene.meshes[index], Mat4{}));
       }
-      object.kind = ObjectKind::InstancedMesh;
+      object.kind = is_moving ? ObjectKind::MovingMesh : ObjectKind::InstancedMesh;
       object.mesh = shared[index];
       object.to_world = affine(matrix);
-      object.normal_to_world = normal_map(matrix);
+      if (is_moving)
+        object.end_to_world = affine(relative_to(instance.end_matrix.value_or(instance.matrix), origin));
+      else
+        object.normal_to_world = normal_map(matrix);
     }
     world.objects.push_back(std::move(object));
   }

@@ -2,14 +2,16 @@
 
 #include "base/error.h"
 #include "base/nth.h"
-#include "scene/camera_frame.h"
+#include "scene/geometry/extent.h"
 #include "scene/geometry/world_bounds.h"
+#include "scene/motion.h"
 #include "scene/relations/geometry.h"
 #include "scene/relations/motion.h"
 #include "scene/scene.h"
 #include "tracer/colour/scene_colours.h"
 #include "tracer/world/build_lights.h"
 #include "tracer/world/build_meshes.h"
+#include "tracer/world/prepare_camera.h"
 #include "tracer/world/specular_objects.h"
 #include "tracer/world/surface.h"
 #include "tracer/world/world.h"
@@ -48,53 +50,6 @@ void add_materials(const scene::Scene& scene, const SceneColours& colours, World
         world.has_appearance_materials || is_appearance(nth(world.materials, index).model);
 }
 
-// What must be resolved: all that is drawn and the camera, or without it where it is far away.
-struct Extent {
-  Vec3d centre;  // the camera's position, or the middle of what is drawn for a distant camera
-  double radius_m = 0;
-  bool camera_is_distant = false;
-};
-
-Extent extent_of(const scene::Scene& scene) {
-  constexpr double kDistant = 16;  // radii: floats lose four bits by the distance
-  const Vec3d eye = scene.camera.position_m;
-  const auto drawn = scene::rough_bounds(scene);
-  if (!drawn) return {eye};
-  const double radius = radius_of(*drawn);
-  const Vec3d centre = (drawn->low + drawn->high) * 0.5;
-  if (radius > 0 && length(eye - centre) > kDistant * radius) return {centre, radius, true};
-  return {eye, radius_of(joined(*drawn, {eye, eye}))};
-}
-
-// Origin of the world's coordinates. At 10^7 m from their origin floats are 1 m apart, so the origin is
-// placed near the camera: at the scene's own, or a multiple of the step from there, which doubles subtract
-// exactly. A step of four to eight radii leaves the origin of a scene that contains it where it is, as the
-// camera is then within two radii of it, and no coordinate of a scene elsewhere is above six: its roundings
-// stay below 6 * 2^-24 of the radius. The step is 256 m at most, half of which floats resolve to 8e-6 m.
-Vec3d origin_near(const Extent& extent) {
-  constexpr double kMostStep_m = 256;
-  const double step = extent.radius_m > 0
-                          ? std::min(kMostStep_m, std::exp2(std::ceil(std::log2(4 * extent.radius_m))))
-                          : kMostStep_m;
-  const auto nearest = [&](double m) { return step * std::round(m / step); };
-  return {nearest(extent.centre.x), nearest(extent.centre.y), nearest(extent.centre.z)};
-}
-
-PinholeCamera prepare_camera(const scene::Camera& camera, const Extent& extent, Vec3d origin) {
-  const auto frame = scene::camera_frame(camera);
-  const Vec3d position = camera.position_m - origin;
-  const Vec3d right = frame.right * frame.half_width;
-  const Vec3d up = frame.up * frame.half_height;
-  PinholeCamera prepared{cast<float>(position), cast<float>(frame.forward),
-                         cast<float>(right),    cast<float>(up),
-                         camera.width_px,       camera.height_px};
-  // By the triangle inequality a point that is nearer is more than two radii from the middle of the scene.
-  if (extent.camera_is_distant)
-    prepared.distant = {position, frame.forward, right, up,
-                        length(camera.position_m - extent.centre) - 2 * extent.radius_m};
-  return prepared;
-}
-
 // A transport given by the settings must have every effect that the scene calls for.
 scene::LightTransport checked_transport(const scene::Scene& scene, const WorldSettings& settings) {
   const auto& given = settings.transport;
@@ -118,23 +73,33 @@ constexpr double kVast = 256;
 constexpr double kLeastRadius_m = 0x1p-4;
 constexpr double kMostRadius_m = 0x1p30;
 
-World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings) {
-  World world;
-  world.transport = checked_transport(scene, settings);
-  const SceneColours colours{scene, world.transport != scene::LightTransport::Rgb, world.spectra};
-  const Extent extent = extent_of(scene);
-  const Vec3d origin = origin_near(extent);
-  world.camera = prepare_camera(scene.camera, extent, origin);
-  world.wants_stokes =
-      scene.outputs.stokes && scene::covers(world.transport, scene::LightTransport::Polarised);
-  world.environment = {cast<float>(scene.environment), add_spectrum(colours, scene.environment_spectrum)};
-  world.integrator = scene.integrator;
-  if (std::holds_alternative<scene::IrradianceCache>(world.integrator) &&
-      world.transport != scene::LightTransport::Rgb)
+void check_irradiance_cache(const scene::Scene& scene, const World& world) {
+  if (world.transport != scene::LightTransport::Rgb)
     throw InputError(fmt::format(
         "scene '{}' has an irradiance cache, which keeps three channels, and {} transport has more: render it "
         "with rgb transport, or by the integrator 'path'",
         scene.name, scene::transport_name(world.transport)));
+  if (world.shutter)
+    throw InputError(fmt::format(
+        "scene '{}' has an irradiance cache, which is made at one time, and something moves while the shutter "
+        "is open: render it by the integrator 'path'",
+        scene.name));
+}
+
+World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings) {
+  World world;
+  world.transport = checked_transport(scene, settings);
+  const SceneColours colours{scene, world.transport != scene::LightTransport::Rgb, world.spectra};
+  const scene::Extent extent = scene::extent_of(scene);
+  const Vec3d origin = scene::origin_near(extent);
+  world.camera = prepare_camera(scene.camera, extent, origin);
+  if (scene::has_motion(scene)) world.shutter = scene.camera.shutter;
+  if (world.shutter && scene.camera.end) world.moving_camera = {scene.camera, extent, origin};
+  world.wants_stokes =
+      scene.outputs.stokes && scene::covers(world.transport, scene::LightTransport::Polarised);
+  world.environment = {cast<float>(scene.environment), add_spectrum(colours, scene.environment_spectrum)};
+  world.integrator = scene.integrator;
+  if (std::holds_alternative<scene::IrradianceCache>(world.integrator)) check_irradiance_cache(scene, world);
   world.trace_depth = scene.trace_depth;
   for (const auto& texture : scene.textures)
     world.textures.push_back(load_texels(
@@ -174,6 +139,7 @@ World make_world(const scene::Scene& scene, const WorldSettings& settings) {
 std::string why_no_light_paths(const World& world) {
   if (!std::holds_alternative<scene::PathTracing>(world.integrator))
     return "an irradiance cache keeps the light that they would carry";
+  if (world.shutter) return "they would meet the camera's paths at a time of their own, and something moves";
   if (world.emitters.empty()) return "the scene has no emitter of a finite size that they could start at";
   // Of the transport, not of the materials: one that no surface shows must change nothing.
   if (scene::covers(world.transport, scene::LightTransport::Polarised))

@@ -126,7 +126,7 @@ int index_of(std::vector<MirrorPlane>& planes, const MirrorPlane& plane) {
 
 // Stops once there are too many planes.
 void find_in_object(World& world, RenderObject& object) {
-  if (object.kind == ObjectKind::Light || is_analytic(object.kind)) return;
+  if (object.kind != ObjectKind::WorldMesh && object.kind != ObjectKind::InstancedMesh) return;
   const TriangleMesh& mesh = world.meshes[object.mesh];
   for (std::size_t i = 0; i < mesh.triangle_cache.size() && world.mirror_planes.size() <= kMostPlanes; ++i) {
     const int material = nth(object.material_of, mesh.triangle_cache[i].material);

@@ -4,6 +4,7 @@
 #include "tracer/plugins/plugin_hit.h"
 #include "tracer/sampling/warps.h"
 #include "tracer/shapes/solid_hit.h"
+#include "tracer/world/moving_surface.h"
 
 #include <algorithm>
 
@@ -20,12 +21,6 @@ Vec3f interpolated_normal(const TriangleMesh& mesh, const Hit& hit, OfVertex of_
   const float b2 = hit.barycentric.y;
   return of_vertex(mesh.normals[corners[0]]) * (1 - b1 - b2) + of_vertex(mesh.normals[corners[1]]) * b1 +
          of_vertex(mesh.normals[corners[2]]) * b2;
-}
-
-// Opposite vertex normals can cancel in between; the geometric normal then replaces them.
-Vec3f unit_or(Vec3f normal, Vec3f geometric_normal) {
-  const float squared = dot(normal, normal);
-  return squared > 0 ? normal / std::sqrt(squared) : geometric_normal;
 }
 
 // Rounding error perpendicular to the plane, in half ulp of the size of the corners: about 6 for the sum of
@@ -103,6 +98,8 @@ SurfacePoint other_point(const World& world, const RenderObject& object, const R
     return point_on_shape(point_on_solid(world.solids[object.solid], ray, hit));
   if (object.kind == ObjectKind::PluginShape)
     return point_on_shape(point_on_plugin(world.plugin_shapes[object.plugin_shape], ray, hit));
+  if (object.kind == ObjectKind::MovingMesh)
+    return point_on_moving_mesh(object, world.meshes[object.mesh], ray, hit);
   return point_on_instance(world, object, hit);
 }
 

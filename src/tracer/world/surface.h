@@ -2,20 +2,11 @@
 
 #include "base/nth.h"
 #include "tracer/geometry/lanes.h"
+#include "tracer/geometry/surface_point.h"
 #include "tracer/world/world.h"
 
 /// Hit points.
 namespace orbs::tracer {
-
-/// A point on a surface. All vectors are in world space.
-struct SurfacePoint {
-  Vec3f position;
-  /// Bound of the distance between `position` and the surface that Embree intersected, in metres.
-  float position_error = 0;
-  Vec3f geometric_normal;  // unit, on either side
-  Vec3f shading_normal;    // unit, interpolated as given, not flipped to the viewer
-  int material = 0;
-};
 
 /// Fills mesh.triangle_cache.
 void fill_triangle_cache(TriangleMesh& mesh);

@@ -14,7 +14,7 @@
 #include "tracer/light/light_guides.h"
 #include "tracer/plugins/plugin_shape.h"
 #include "tracer/shapes/solid.h"
-#include "tracer/world/camera.h"
+#include "tracer/world/prepare_camera.h"
 
 #include <memory>
 #include <optional>
@@ -26,6 +26,8 @@ namespace orbs::tracer {
 /// build_world.h makes it.
 struct World {
   PinholeCamera camera;
+  std::optional<scene::Shutter> shutter;                         // of a scene in which something moves
+  std::optional<MovingCamera> moving_camera;                     // `camera` is then that of the start
   scene::LightTransport transport = scene::LightTransport::Rgb;  // what its paths carry
   bool has_appearance_materials = false;                         // a surface shows one
   bool wants_stokes = false;

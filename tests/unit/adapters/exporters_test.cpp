@@ -3,6 +3,10 @@
 #include "adapters/kind_support.h"
 #include "json/document.h"
 #include "json/object_reader.h"
+#include "registry/features.h"
+#include "scene/geometry/world_bounds.h"
+#include "scene/load/load_scene.h"
+#include "scene/relations/motion.h"
 
 #include <set>
 #include <string>
@@ -47,6 +51,33 @@ TEST(Exporters, AnUnknownFormatIsAnsweredWithAllFormatsAndTheNearest) {
         e.what(),
         "configuration.json:7: renderer 'r': scene_format: 'mitsubo' is not one of: gltf, hydra, mitsuba, native, obj, "
         "orbs-scene, pbrt, ply, povray (did you mean 'mitsuba'?)");
+  }
+}
+
+// Moved by a multiple of 256 m, which floats at 10^6 m no longer tell from what is 6 cm beside it.
+TEST(Exporters, TheOriginIsNearTheCamera) {
+  const auto scene = scene::load_scene(ORBS_SOURCE_DIR "/data/bench/glass.json");
+  const auto far = scene::with_moved_vertices(scene, {256e4, -512e4, 1024e4});
+  const auto prepared = [&](const char* format, adapters::SceneSettings settings) {
+    registry::Renderer renderer;
+    renderer.support.declares = registry::parse_features("G5/M8/L4/A4");
+    renderer.format.name = format;
+    renderer.format.settings = std::move(settings);
+    EXPECT_NO_THROW(adapters::check_scene_settings(renderer));
+    return std::get<scene::Scene>(adapters::prepare_scene(renderer, far));
+  };
+  // Doubles at 10^7 m are 2e-9 m apart.
+  const auto distance_m = [&](const scene::Scene& moved, const scene::Scene& from) {
+    return length(moved.camera.position_m - from.camera.position_m) +
+           length(moved.camera.look_at_m - from.camera.look_at_m);
+  };
+  for (const auto& exporter : adapters::exporters()) {
+    const bool is_neutral = exporter.format == std::string(registry::kNeutralFormat);
+    EXPECT_LT(distance_m(prepared(exporter.format, {}), is_neutral ? far : scene), 1e-8) << exporter.format;
+    const auto near = prepared(exporter.format, {{"origin_near_camera", 1}});
+    EXPECT_LT(distance_m(near, scene), 1e-8) << exporter.format;
+    EXPECT_LT(scene::world_bounds(near)->high.y, 2) << exporter.format;
+    EXPECT_EQ(distance_m(prepared(exporter.format, {{"origin_near_camera", 0}}), far), 0) << exporter.format;
   }
 }
 

@@ -180,6 +180,14 @@ TEST(Relations, ASceneWithoutAGroundSaysSo) {
             "no level, opaque instance without texture lies below all else and below the camera");
 }
 
+// At 100 radii the sky between the edge and the horizon is half a pixel of 32 high.
+TEST(Relations, AGroundBelowAShiningSkyHasAnEdge) {
+  auto scene = block_on_ground();
+  scene.environment = {0, 0, 1};
+  EXPECT_EQ(std::get<std::string>(scene::with_large_ground(scene, 1000)).substr(0, 22),
+            "its environment shines");
+}
+
 TEST(Relations, AFarCameraSeesWhatItLooksAtInTheSameSize) {
   const auto near = block_on_ground();
   const auto far = scene_in(scene::with_far_camera(near, 1000));

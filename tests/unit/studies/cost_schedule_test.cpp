@@ -1,7 +1,9 @@
 #include "studies/cost/report.h"
 #include "studies/cost/schedule.h"
+#include "studies/cost/seeds.h"
 #include "studies/cost/sweep.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -176,6 +178,7 @@ TEST(Schedule, AnHourIsEnoughForFortyScenesOfThreeRenderers) {
   const auto pilots = forty_scenes();
   CostRecord record;
   record.settings.seeds = 4;
+  record.renderers.resize(3);
   record.sweeps = choose_sweeps(pilots, record.settings, kBudgetSeconds);
   for (std::size_t i = 0; i < pilots.size(); ++i) {
     record.sweeps[i].is_noise_free = pilots[i].is_noise_free;
@@ -207,4 +210,94 @@ TEST(Sweep, ABudgetLeavesEveryCurveThreePoints) {
   const CostPilot slow{0, 0, 0.1, 8, 40.1, 25, 1, {}};
   const auto sweeps = choose_sweeps({slow, slow}, CostSettings{}, 1);
   for (const auto& sweep : sweeps) EXPECT_GE(sweep.settings.size(), 3);
+}
+
+namespace {
+
+// Of one renderer that takes no seed: a render is `images` images of a run.
+CostRecord one_sequence(int images, const std::vector<int>& samples) {
+  CostRecord record;
+  record.settings.seeds = 4;
+  record.targets.push_back({"t", "M1", "", 8, 8, "", {}});
+  record.renderers.push_back({"r", "1", SweepOf::Samples, "", images});
+  Sweep sweep{0, 0, {}, "", ""};
+  for (const int spp : samples) sweep.settings.push_back({std::to_string(spp) + " spp", spp});
+  record.sweeps.push_back(sweep);
+  return record;
+}
+
+}  // namespace
+
+// With n samples, the seed s of a sequence is its s-th block of n samples: nested samples are not
+// independent.
+TEST(Schedule, NoTwoRendersOfASequenceShareASample) {
+  for (const int images : {1, 2})
+    for (const auto& samples : {std::vector<int>{4, 8, 16, 32, 64}, std::vector<int>{3, 5, 6, 100}}) {
+      const auto record = one_sequence(images, samples);
+      const auto rule = seed_rule(record, record.sweeps[0]);
+      std::vector<std::pair<int, int>> blocks;  // of samples
+      const auto add = [&](int spp, int seed) {
+        const int of_render = images * ((spp + images - 1) / images);
+        blocks.emplace_back((seed - 1) * of_render, seed * of_render);
+      };
+      add(kPilotSpp, pilot_seed(rule));
+      for (const auto& task : cost_tasks(record))
+        if (task.render.purpose != Purpose::FixedCost) add(task.render.spp, task.render.seed);
+      EXPECT_EQ(blocks.size(), 1 + 4 * samples.size() + 4);
+      std::sort(blocks.begin(), blocks.end());
+      for (std::size_t i = 1; i < blocks.size(); ++i) EXPECT_LE(blocks[i - 1].second, blocks[i].first) << i;
+    }
+}
+
+// The images before a seed are rendered, too, and at most 100 can be asked for.
+TEST(Schedule, TheSeedsOfASequenceAreSmall) {
+  auto record = one_sequence(2, {4, 8, 16, 32, 64});
+  int most = 0;
+  for (const auto& task : cost_tasks(record)) most = std::max(most, task.render.seed);
+  EXPECT_EQ(most, 12) << "the third setting begins behind four, and is rendered twice with four seeds";
+  record.renderers[0].sequence_images = 0;
+  for (const auto& task : cost_tasks(record)) most = std::max(most, task.render.seed);
+  EXPECT_EQ(most, 8004) << "of those that have seeds, each setting has a thousand of its own";
+}
+
+TEST(Schedule, QualitiesOfASequenceAllBeginAtTheFirstImage) {
+  auto record = one_sequence(1, {1, 1, 1, 257});
+  record.renderers[0].sweep = SweepOf::Settings;
+  for (const auto& task : cost_tasks(record))
+    EXPECT_LE(task.render.seed, task.render.purpose == Purpose::Again ? 8 : 4);
+}
+
+// Two images of 1 s each are one render, and what a process renders before them counts, too.
+TEST(Schedule, TheBudgetCountsTheImagesThatARenderTakes) {
+  CostPilot pilot{0, 0, 0.5, 8, 2.5, 20, 1, {}};
+  pilot.sequence_images = 2;
+  const auto record = one_sequence(2, {8});
+  const auto& sweep = record.sweeps[0];
+  CostSettings settings;
+  settings.seeds = 2;
+  // The pilot has the first block, so the seeds are 2 and 3: the images 3 and 4, then 5 and 6, 18 in place
+  // of 4.
+  EXPECT_DOUBLE_EQ(images_of_setting({2, SweepOf::Samples, 2, false}, sweep, 0), 18.0 / 4);
+  EXPECT_DOUBLE_EQ(expected_seconds(pilot, sweep, settings), 4 * 0.5 + 18 * 1);
+  pilot.sequence_images = 0;
+  EXPECT_DOUBLE_EQ(expected_seconds(pilot, sweep, settings), 4 * 0.5 + 4 * 1);
+}
+
+// 0.5 s to start, and 2 s for each of 3.5 images. Without the start, the time of one is not known.
+TEST(Schedule, TheTimeOfOneImageIsItsShareOfWhatIsAboveTheFixedCost) {
+  auto record = one_sequence(2, {8});
+  CostRender fixed{.purpose = Purpose::FixedCost};
+  fixed.cpu_seconds = 0.5;
+  fixed.wall_seconds = 0.25;
+  CostRender render{.setting = "8 spp", .seed = 2, .images = 3.5};
+  render.cpu_seconds = 0.5 + 3.5 * 2;
+  render.wall_seconds = 0.25 + 3.5 * 1;
+  record.renders = {fixed, render};
+  const auto one = with_times_of_one_image(record);
+  ASSERT_EQ(one.renders.size(), 2);
+  EXPECT_DOUBLE_EQ(one.renders[0].cpu_seconds, 0.5);
+  EXPECT_DOUBLE_EQ(one.renders[1].cpu_seconds, 2.5);
+  EXPECT_DOUBLE_EQ(one.renders[1].wall_seconds, 1.25);
+  record.renders = {render};
+  EXPECT_TRUE(with_times_of_one_image(record).renders.empty());
 }

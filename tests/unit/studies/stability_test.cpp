@@ -140,10 +140,36 @@ TEST(StabilityCells, StopAtAStepThatIsInconclusive) {
 
 TEST(StabilityReport, NamesTheFirstBreak) {
   const auto text = stability_markdown(made_up());
-  EXPECT_NE(text.find("| scale_up | the world enlarged | to 100; breaks at 1000 |"), std::string::npos)
-      << text;
-  EXPECT_NE(text.find("| threads | three threads | holds, to the bit |"), std::string::npos) << text;
-  EXPECT_NE(text.find("the mean is off by -5 %"), std::string::npos) << text;
+  for (const char* part :
+       {"| the world enlarged | scale_up | to 100; breaks at 1000 (2 of 3) |",
+        "| three threads | threads | holds, to the bit |", "the mean is off by -5 %",
+        "r: 1 of 2 changes leave the image right. The world enlarged: right to 100; breaks at 1000 (b)."})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST(StabilityReport, TellsNotApplicableFromNotMeasured) {
+  auto record = made_up();
+  std::erase_if(record.steps, [](const auto& step) { return step.scene != 2; });
+  const auto cells = stability_cells(record);
+  EXPECT_EQ(cells[0].scenes, 0);
+  EXPECT_EQ(cells[0].not_applicable, 1);
+  EXPECT_EQ(cells[0].why_not_applicable, "it is empty");
+  const auto text = stability_markdown(record);
+  for (const char* part :
+       {"| scale_up | not applicable |", "| threads | not measured |", "r: nothing was measured."})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST(StabilityReport, ShowsSeveralStudiesAsOne) {
+  auto other = made_up();
+  other.renderers.front().name = "s";
+  const auto both = joined({made_up(), other});
+  const auto text = stability_markdown(both);
+  EXPECT_NE(text.find("| change | relation | r | s |"), std::string::npos) << text;
+  EXPECT_EQ(stability_cells(both)[1].first_break.value().magnitude, 1000);
+  EXPECT_THROW(joined({made_up(), made_up()}), InputError) << "the same renderer twice";
+  other.settings.spp = 7;
+  EXPECT_THROW(joined({made_up(), other}), InputError);
 }
 
 TEST(StabilityJson, IsReadBack) {

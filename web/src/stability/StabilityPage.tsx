@@ -2,7 +2,8 @@ import { PairList } from "../common/PairList";
 import { useRequest } from "../common/request";
 import type { Source } from "../data/source";
 import { note, type Route } from "../route";
-import { cellText, magnitudeText, percentText, stepText } from "./texts";
+import { SweepChart } from "./SweepChart";
+import { capitalised, cellText, hasImages, magnitudeText, percentText, stepText } from "./texts";
 import type { StabilityStep, StabilityStudy } from "../data/generated";
 
 interface Props {
@@ -20,7 +21,6 @@ function Matrix({ study, chosen }: { study: StabilityStudy; chosen: string }) {
     <table class="matrix">
       <thead>
         <tr>
-          <th scope="col">relation</th>
           <th scope="col">change</th>
           {study.renderers.map(({ name }) => (
             <th key={name} scope="col">
@@ -32,19 +32,24 @@ function Matrix({ study, chosen }: { study: StabilityStudy; chosen: string }) {
       <tbody>
         {study.relations.map((relation) => (
           <tr key={relation.name}>
-            <th scope="row">{relation.name}</th>
-            <td class="quiet">{relation.change}</td>
+            <th scope="row" title={relation.name}>
+              {relation.change}
+            </th>
             {study.renderers.map(({ name }) => {
               const cell = cellOf(relation.name, name);
               const key = `${relation.name}/${name}`;
               return (
                 <td key={name} class={cell?.first_break ? "broken" : undefined}>
-                  {cell && cell.scenes > 0 ? (
+                  {!cell ? (
+                    "not measured"
+                  ) : cell.scenes > 0 ? (
                     <button aria-pressed={key === chosen} onClick={() => note({ cell: key })}>
                       {cellText(cell, relation)}
                     </button>
                   ) : (
-                    "–"
+                    <span class="quiet" title={cell.why_not_applicable}>
+                      {cellText(cell, relation)}
+                    </span>
                   )}
                 </td>
               );
@@ -70,7 +75,11 @@ function Picture({
   const { value, problem } = useRequest(`${run} ${file}`, "", () => source.picture(run, file));
   return (
     <figure>
-      {value ? <img src={value} alt={label} /> : <div class="quiet">{problem ?? "Reading …"}</div>}
+      {value ? (
+        <img src={value} alt={label} />
+      ) : (
+        <div class="quiet">{problem ? `no image: ${problem}` : "Reading …"}</div>
+      )}
       <figcaption>{label}</figcaption>
     </figure>
   );
@@ -106,6 +115,21 @@ function Pictures({
   );
 }
 
+/** One step: what came of it, and its numbers where images were compared. */
+function StepRow({ step, scene, unit }: { step: StabilityStep; scene: string; unit: string }) {
+  return (
+    <tr>
+      <td>{scene}</td>
+      <td class="number">{magnitudeText(step.magnitude, unit)}</td>
+      <td>{stepText(step)}</td>
+      <td class="number">{hasImages(step) ? percentText(step.mean, step.mean_error) : ""}</td>
+      <td class="number">{hasImages(step) ? percentText(step.block, step.block_error) : ""}</td>
+      <td class="number">{hasImages(step) ? percentText(step.pixels, 0).replace("+", "") : ""}</td>
+      <td class="quiet">{step.reason}</td>
+    </tr>
+  );
+}
+
 /** All steps of one relation by one renderer, and the images that were kept. */
 function Steps({ source, run, study, chosen }: Omit<Props, "route"> & { chosen: string }) {
   const [name, renderer] = chosen.split("/");
@@ -123,8 +147,9 @@ function Steps({ source, run, study, chosen }: Omit<Props, "route"> & { chosen: 
   return (
     <section class="cost-panel" aria-label="Steps">
       <h2>
-        {name} by {renderer}
+        {capitalised(relation.change)}: {renderer}
       </h2>
+      <SweepChart study={study} relation={relation} steps={steps} />
       <table class="steps">
         <thead>
           <tr>
@@ -145,17 +170,12 @@ function Steps({ source, run, study, chosen }: Omit<Props, "route"> & { chosen: 
         </thead>
         <tbody>
           {steps.map((step) => (
-            <tr key={`${step.scene} ${step.magnitude}`}>
-              <td>{study.scenes[step.scene]?.name}</td>
-              <td class="number">{magnitudeText(step.magnitude, relation.unit)}</td>
-              <td>{stepText(step)}</td>
-              <td class="number">{percentText(step.mean, step.mean_error)}</td>
-              <td class="number">{percentText(step.block, step.block_error)}</td>
-              <td class="number">
-                {step.pixels === undefined ? "–" : percentText(step.pixels, 0).replace("+", "")}
-              </td>
-              <td class="quiet">{step.reason}</td>
-            </tr>
+            <StepRow
+              key={`${step.scene} ${step.magnitude}`}
+              step={step}
+              scene={study.scenes[step.scene]?.name ?? ""}
+              unit={relation.unit}
+            />
           ))}
         </tbody>
       </table>
@@ -187,6 +207,9 @@ export function StabilityPage({ source, run, study, route }: Props) {
     <>
       <section class="cost-panel" aria-label="How far each renderer follows">
         <h1>How far does each renderer follow?</h1>
+        {study.summaries.map((text) => (
+          <p key={text}>{text}</p>
+        ))}
         <Matrix study={study} chosen={chosen} />
       </section>
       <Steps source={source} run={run} study={study} chosen={chosen} />

@@ -1,4 +1,9 @@
-import type { StabilityCell, StabilityRelationRecord, StabilityStep } from "../data/generated";
+import type {
+  StabilityCell,
+  StabilityRelationRecord,
+  StabilitySettings,
+  StabilityStep,
+} from "../data/generated";
 
 /** A magnitude with its unit; powers of two from 2^10 on as such. */
 export function magnitudeText(magnitude: number, unit: string): string {
@@ -11,7 +16,14 @@ export function magnitudeText(magnitude: number, unit: string): string {
 
 /** What a cell of the matrix says, in a few words. */
 export function cellText(cell: StabilityCell, relation: StabilityRelationRecord): string {
-  if (cell.scenes === 0) return "–";
+  if (cell.scenes === 0) return cell.not_applicable > 0 ? "not applicable" : "not measured";
+  const all = cell.scenes + cell.not_applicable;
+  return (
+    resultText(cell, relation) + (cell.not_applicable > 0 ? ` (${cell.scenes} of ${all})` : "")
+  );
+}
+
+function resultText(cell: StabilityCell, relation: StabilityRelationRecord): string {
   const text = (magnitude: number): string => magnitudeText(magnitude, relation.unit);
   const { first_break: broken, held_to: held } = cell;
   const exact = cell.bit_equal ? ", to the bit" : "";
@@ -25,8 +37,18 @@ export function cellText(cell: StabilityCell, relation: StabilityRelationRecord)
   return held === undefined ? "inconclusive" : `all, to ${text(held)}${exact}`;
 }
 
+/** The error of a step over what is allowed; 1 is the bound. Infinite where there is no image. */
+export function excessOf(step: StabilityStep, settings: StabilitySettings): number {
+  if (step.outcome === "no image") return Infinity;
+  return Math.max(
+    Math.abs(step.mean) / settings.mean_bound,
+    Math.abs(step.block) / settings.block_bound,
+  );
+}
+
 /** A relative difference in per cent with its standard error. */
 export function percentText(value: number, error: number): string {
+  if (value === 0) return "0 %";
   const percent = 100 * value;
   const shown = Math.abs(percent) < 1e-3 ? percent.toExponential(0) : percent.toPrecision(2);
   return `${percent > 0 ? "+" : ""}${shown} %${error > 0 ? ` ± ${(100 * error).toPrecision(1)}` : ""}`;
@@ -35,3 +57,9 @@ export function percentText(value: number, error: number): string {
 /** What a step says beside its numbers. */
 export const stepText = (step: StabilityStep): string =>
   step.outcome === "holds" && step.is_bit_equal ? "equal to the bit" : step.outcome;
+
+export const capitalised = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);
+
+/** Whether a step compared images. */
+export const hasImages = ({ outcome }: StabilityStep): boolean =>
+  outcome !== "no image" && outcome !== "not applicable";
