@@ -20,7 +20,7 @@ void add_reference_command(const command_line::Command& command, const Program& 
   add_settings(command, *run, kTargetSettings);
   command
       .add_option("--spp", settings->spp,
-                  "Samples per pixel (default: until the noise is 10 dB below the gate)")
+                  "Samples per pixel (default: until its noise leaves verdicts room)")
       .range(1, references::kMostReferenceSpp);
   command.add_option("--seed", settings->seed, "Seed; it must differ from the seeds of runs")
       .zero_or_more()

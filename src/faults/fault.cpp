@@ -56,11 +56,15 @@ std::string swap_name(const ChannelOrder& order) {
 
 Rows unmistakable(const Image& reference) {
   const auto swap = most_visible_swap(reference);
-  return {
-      {"black", Factor{0}, {Mutation}},         {"constant", Constant{}, {Mutation}},
-      {"one NaN", InvalidPixel{}, {Mutation}},  {"shifted by 1 px", Shift{1, 0}, {Mutation}},
-      {"+2 % light", Factor{1.02}, {Mutation}}, {"-2 % light", Factor{0.98}, {Mutation}},
-      {swap_name(swap), swap, {Mutation}},      {"sRGB twice", Curve{Curve::Kind::SrgbEncoded}, {Mutation}}};
+  return {{"black", Factor{0}, {Mutation}},
+          {"constant", Constant{}, {Mutation}},
+          {"half the light", Factor{0.5}, {Mutation}},
+          {"one NaN", InvalidPixel{}, {Mutation}},
+          {"shifted by 1 px", Shift{1, 0}, {Mutation}},
+          {"+2 % light", Factor{1.02}, {Mutation}},
+          {"-2 % light", Factor{0.98}, {Mutation}},
+          {swap_name(swap), swap, {Mutation}},
+          {"sRGB twice", Curve{Curve::Kind::SrgbEncoded}, {Mutation}}};
 }
 
 Rows misplaced(const Image& reference) {

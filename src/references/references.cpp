@@ -21,18 +21,12 @@ namespace orbs::references {
 
 namespace {
 
-// What the psnr_srgb8 gate of a case asks for in dB; 0 where it has none.
-double gate_db(const registry::Case& one_case) {
-  const auto* const gate = registry::find_gate(one_case.gates, "psnr_srgb8");
-  return gate == nullptr ? 0 : gate->min.value_or(0);
-}
-
 // Raises `wanted` to what all cases that are judged by it need, chosen or not, as they share its file.
 void raise_to_needs(const std::vector<registry::Case>& cases, WantedReference& wanted) {
   for (const auto& one_case : cases)
     for (const auto& scene : one_case.scenes) {
       if (registry::reference_name(scene) != wanted.name) continue;
-      wanted.noise_db = std::max(wanted.noise_db, gate_db(one_case) + kReferenceMargin_db);
+      wanted.most_noise = stricter(wanted.most_noise, most_noise(one_case.gates));
       for (const auto& share : one_case.path_shares)
         wanted.split_paths = wanted.split_paths || share.scene == scene.name;
     }
@@ -144,11 +138,12 @@ int render_references(const registry::Configuration& configuration,
     if (is_kept(wanted, settings, context)) continue;
     store_reference(*rendered, wanted, settings.reason);
     remove_passes(std::move(unfinished));
-    const bool noisy = rendered->noise_db < wanted.noise_db;
+    const bool noisy = times_too_noisy(rendered->noise, wanted.most_noise) > 1;
     too_noisy = too_noisy || noisy;
-    context.say(fmt::format("[{}/{}] {:<18} {:>7} spp, noise {:.2f} dB{}", i + 1, all.size(), wanted.name,
-                            rendered->sum.spp, rendered->noise_db,
-                            noisy ? fmt::format("; {} is needed, so more samples", wanted.noise_db) : ""));
+    context.say(fmt::format(
+        "[{}/{}] {:<18} {:>7} spp, noise {}{}", i + 1, all.size(), wanted.name, rendered->sum.spp,
+        noise_text(rendered->noise),
+        noisy ? fmt::format("; {} is needed, so more samples", noise_text(wanted.most_noise)) : ""));
   }
   return too_noisy ? 1 : 0;
 }

@@ -4,7 +4,6 @@
 #include "adapters/process/programs.h"
 #include "base/error.h"
 #include "image/image_io.h"
-#include "judge/noise.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,10 +46,9 @@ std::optional<image::Image> render_pass(const WantedReference& wanted,
 }
 
 // Noise power falls as 1 / spp, so what is there says how many samples are needed in all.
-int enough_spp(const RenderedReference& rendered, double wanted_db) {
+int enough_spp(int spp, double times) {
   constexpr double kReserve = 1.1;  // the noise is an estimate, too
-  const double factor = std::pow(10, (wanted_db - rendered.noise_db) / 10) * kReserve;
-  return static_cast<int>(std::min<double>(kMostReferenceSpp, std::ceil(rendered.sum.spp * factor)));
+  return static_cast<int>(std::min<double>(kMostReferenceSpp, std::ceil(spp * times * kReserve)));
 }
 
 // Bounds a pass to some two minutes on two cores. By samples and not by time: the passes, and so the bytes of
@@ -77,20 +75,18 @@ std::optional<RenderedReference> render_reference(const WantedReference& wanted,
     if (!image) return std::nullopt;
     add_pass(rendered.sum, *image, pass);
     rendered.image = mean_image(rendered.sum);
-    const auto mse = judge::noise_mse_srgb8(rendered.image, rendered.image);
-    if (!mse) {
+    if (image::channel_index(rendered.image, "variance.R") < 0) {
       const auto& header = image->attributes;
       const auto reason = header.find("orbs.variance");
       throw InputError(fmt::format("{}: the tracer wrote no variance{}", context.tracer.string(),
                                    reason == header.end() ? "" : " (" + reason->second + ")"));
     }
-    rendered.noise_db = judge::psnr_srgb8_of(*mse);
-    if (settings.spp == 0)
-      target =
-          rendered.noise_db >= wanted.noise_db ? rendered.sum.spp : enough_spp(rendered, wanted.noise_db);
+    rendered.noise = noise_of(rendered.image);
+    const double times = times_too_noisy(rendered.noise, wanted.most_noise);
+    if (settings.spp == 0) target = times <= 1 ? rendered.sum.spp : enough_spp(rendered.sum.spp, times);
     if (rendered.sum.spp < target)
-      context.say(fmt::format("      {:<18} {:>7} of some {} spp, noise {:.2f} dB{}", wanted.name,
-                              rendered.sum.spp, target, rendered.noise_db,
+      context.say(fmt::format("      {:<18} {:>7} of some {} spp, noise {}{}", wanted.name, rendered.sum.spp,
+                              target, noise_text(rendered.noise),
                               is_of_an_earlier_call ? ", of an earlier call" : ""));
   }
   return rendered;

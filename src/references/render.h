@@ -1,5 +1,6 @@
 #pragma once
 
+#include "references/noise_limits.h"
 #include "references/unfinished.h"
 #include "registry/analytic.h"
 
@@ -14,11 +15,8 @@ namespace orbs::references {
 
 constexpr int kMostReferenceSpp = 1 << 20;
 
-/// How far the noise of a reference must lie below the psnr_srgb8 gates of its cases.
-constexpr double kReferenceMargin_db = 10;
-
 struct ReferenceSettings {
-  int spp = 0;  // 0: as many as the margin needs
+  int spp = 0;  // 0: as many as the noise needs
   /// Seed of the first pass; later passes count up. Far from the seeds of runs, as a result must not share
   /// the samples, and so the errors, of its reference.
   int seed = 1000003;
@@ -37,18 +35,18 @@ struct WantedReference {
   std::string name;
   std::filesystem::path file;
   std::filesystem::path target;
-  int spp = 64;             // of the case: the first pass
-  double noise_db = 0;      // PSNR that the noise alone must reach
-  std::size_t pixels = 0;   // of the camera
-  std::string camera = {};  // one of the file's "cameras"; "": its "camera"
+  int spp = 64;                           // of the case: the first pass
+  ReferenceNoise most_noise = kAnyNoise;  // that its cases leave room for
+  std::size_t pixels = 0;                 // of the camera
+  std::string camera = {};                // one of the file's "cameras"; "": its "camera"
   bool split_paths = false;
   std::optional<registry::AnalyticReference> analytic = {};  // then it is computed and not rendered
 };
 
 struct RenderedReference {
   PassSum sum;
-  image::Image image;   // its mean, with all layers
-  double noise_db = 0;  // PSNR that the noise of the image alone lets expect
+  image::Image image;  // its mean, with all layers
+  ReferenceNoise noise;
 };
 
 /// Renders passes with the seeds settings.seed, settings.seed + 1, ... until the noise is low enough or

@@ -34,11 +34,6 @@ constexpr unsigned kColourBits = 9;
 // variance out of n pieces of a pixel is itself off by some sqrt(2 / (n - 1)), 53 % for 8 of them.
 constexpr unsigned kVarianceBits = 2;
 
-bool fits_half(const image::Image& image) {
-  return std::all_of(image.pixels.begin(), image.pixels.end(),
-                     [](float x) { return std::fabs(x) <= image::kLargestHalf; });
-}
-
 std::string commands_of(const RenderedReference& rendered, bool split_paths) {
   std::vector<std::string> commands;
   for (const auto& pass : rendered.sum.passes)
@@ -68,7 +63,9 @@ void stamp(const RenderedReference& rendered,
   provenance["orbs.settings"] = commands_of(rendered, wanted.split_paths);
   provenance["orbs.bad_samples"] = std::to_string(rendered.sum.bad_samples);
   provenance["orbs.cpu"] = run::this_host().cpu;
-  provenance["orbs.noise_psnr_srgb8_db"] = fmt::format("{:.2f}", rendered.noise_db);
+  provenance["orbs.noise_psnr_srgb8_db"] = fmt::format("{:.2f}", rendered.noise.psnr_db);
+  provenance["orbs.noise_mean"] = fmt::format("{:.2g}", rendered.noise.mean);
+  provenance["orbs.noise_tile"] = fmt::format("{:.2g}", rendered.noise.tile);
   stamp_origin(wanted, reason, image);
   for (const auto& [name, share] : path_shares(rendered.image))
     provenance["orbs.path." + name] = fmt::format("{:.6g}", share);
@@ -138,11 +135,20 @@ image::Image shortened_image(const image::Image& image) {
   return out;
 }
 
+image::Precision precision_of(const image::Image& image) {
+  constexpr float kStep = 1.0F / 2048;  // half of the last of 11 bits, for colours that are not rounded
+  const bool fits = std::all_of(image.pixels.begin(), image.pixels.end(), [](float x) {
+    return std::fabs(x) <= image::kLargestHalf &&
+           std::fabs(image::float_of_half(image::half_bits(x)) - x) <= kStep * std::fabs(x);
+  });
+  return fits ? image::Precision::Half : image::Precision::Float;
+}
+
 void store_reference(const RenderedReference& rendered,
                      const WantedReference& wanted,
                      const std::string& reason) {
   auto image = shortened_image(rendered.image);
-  const auto precision = fits_half(image) ? image::Precision::Half : image::Precision::Float;
+  const auto precision = precision_of(image);
   stamp(rendered, wanted, reason, image);
   write_reference(std::move(image), wanted, reason, precision);
 }

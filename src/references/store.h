@@ -18,6 +18,10 @@ std::map<std::string, double> path_shares(const image::Image& image);
 /// light that fills the pixel) is exact and stays unchanged.
 image::Image shortened_image(const image::Image& image);
 
+/// Halves, unless they cannot hold what `image` has. Below 2^-14 a half has ever fewer bits, and below 2^-25
+/// none: the variances of a dim image would be 0, and it would be exact for whoever judges by it.
+image::Precision precision_of(const image::Image& image);
+
 /// Writes the image with its provenance to wanted.target; the provenance of the reference that it replaces is
 /// added to the history beside it. The provenance names only the processor of the machine, as it is
 /// published.

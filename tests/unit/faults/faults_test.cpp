@@ -47,6 +47,7 @@ image::Image applied(Use use, const std::string& name, const image::Image& image
 TEST(Faults, AreTheFaultThatTheyAreCalled) {
   const auto image = painted();
   const auto mutant = [&](const std::string& name) { return applied(Use::Mutation, name, image); };
+  EXPECT_FLOAT_EQ(mutant("half the light").at(50, 50, 1), 0.5F * image.at(50, 50, 1));
   EXPECT_FLOAT_EQ(mutant("+2 % light").at(50, 50, 1), 1.02F * image.at(50, 50, 1));
   EXPECT_FLOAT_EQ(mutant("+2 % light").at(50, 50, 4), 1.0404F * image.at(50, 50, 4));
   EXPECT_EQ(mutant("shifted by 1 px").at(50, 50, 0), image.at(49, 50, 0));

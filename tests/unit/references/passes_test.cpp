@@ -121,6 +121,18 @@ TEST(ShortenedImage, KeepsColoursWithoutNoiseAndWhatFits) {
   EXPECT_NE(references::shortened_image(flat(0.8F, 1e-6F)).at(0, 0, 1), 0.8F);
 }
 
+// A colour of 0.02 with 1 % of noise has a variance of 4e-8, which as a half is 6e-8, and one of 0.001 none.
+TEST(StoredReference, IsOfHalvesUnlessTheyLoseItsVariances) {
+  const auto precision_of = [](float value, float variance) {
+    return references::precision_of(references::shortened_image(flat(value, variance)));
+  };
+  EXPECT_EQ(precision_of(0.8F, 0), image::Precision::Half);
+  EXPECT_EQ(precision_of(0.8F, 1e-5F), image::Precision::Half);
+  EXPECT_EQ(precision_of(0.02F, 4e-8F), image::Precision::Float);
+  EXPECT_EQ(precision_of(0.001F, 1e-10F), image::Precision::Float);
+  EXPECT_EQ(precision_of(1e5F, 1), image::Precision::Float);
+}
+
 TEST(ShortenedImage, HasNoLayersButItsProvenance) {
   auto image =
       image::make_image(2, 2, {"R", "G", "B", "variance.R", "variance.G", "variance.B", "path.EDL.R"});
