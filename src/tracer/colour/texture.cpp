@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "image/colour.h"
 #include "image/image_io.h"
+#include "tracer/numeric_fault.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +76,8 @@ UvMap uv_map(const Mat4& matrix, const scene::Texture& texture) {
   const auto f = [&](std::size_t row, std::size_t column) { return static_cast<float>(matrix(row, column)); };
   // Whole periods of a texture that repeats change nothing but the digits that floats have left for the rest.
   const auto offset = [&](std::size_t row, scene::Wrap wrap) {
-    const double whole = wrap == scene::Wrap::Repeat ? std::floor(matrix(row, 3)) : 0;
+    const bool drops_periods = wrap == scene::Wrap::Repeat && !has_fault(NumericFault::TexturePeriodsKept);
+    const double whole = drops_periods ? std::floor(matrix(row, 3)) : 0;
     return static_cast<float>(matrix(row, 3) - whole);
   };
   return {{f(0, 0), f(0, 1), offset(0, texture.wrap_u), f(1, 0), f(1, 1), offset(1, texture.wrap_v)}};
