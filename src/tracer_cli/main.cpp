@@ -11,6 +11,7 @@
 #include "tracer/render.h"
 #include "tracer/render/rendering.h"
 #include "tracer/world/build_world.h"
+#include "tracer_cli/faulty_program.h"
 #include "tracer_cli/missing.h"
 #include "tracer_cli/options.h"
 #include "tracer_cli/stamp.h"
@@ -186,7 +187,8 @@ int run(const Options& options) {
   std::atexit(refuse_exit);
   std::at_quick_exit(refuse_exit);
   const PluginsAllowed guard;
-  const auto scene = scene_for(options);
+  begin_numeric_fault(options.fault);
+  const auto scene = as_kept(scene_for(options));
   auto world = tracer::make_world(scene, world_settings(options, scene));
   const auto trials = choose_algorithms(options, scene, world);
   warn_of_ignored_options(options, world);
@@ -198,7 +200,7 @@ int run(const Options& options) {
   line.finish();
   add_trials(rendering, trials);
   stamp(rendering, options, scene, world, ORBS_VERSION);
-  image::write_exr(rendering.image, options.output);
+  image::write_exr(as_written(rendering.image), options.output);
   warn_of_plugin_faults(world);
   print_summary(rendering, trials, options.as_json);
   if (rendering.samples_per_pixel == options.render.samples_per_pixel)

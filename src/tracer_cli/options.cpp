@@ -6,6 +6,7 @@
 #include "command_line/manual.h"
 #include "scene/effects/effects.h"
 #include "scene/render_fault.h"
+#include "tracer_cli/faulty_program.h"
 
 #include <string_view>
 #include <vector>
@@ -168,7 +169,9 @@ Options parse_options(int argc, char** argv, const std::string& version) {
   add_algorithm_options(app, options);
   add_integrator_options(app, options);
   add_transport_options(app, options);
-  app.add_option("--fault", options.fault, fault_help()).one_of(scene::render_fault_names());
+  auto faults = scene::render_fault_names();
+  for (const auto& name : numeric_fault_names()) faults.push_back(name);
+  app.add_option("--fault", options.fault, fault_help()).one_of(faults);
   app.add_option(
          "--bad-samples", options.bad_samples,
          "where more than 100 in a million samples came out as no finite number and are left out, or as many "

@@ -5,6 +5,7 @@
 #include "tracer/accel/moving_triangles.h"
 #include "tracer/accel/solid_geometry.h"
 #include "tracer/accel/user_geometry.h"
+#include "tracer/numeric_fault.h"
 #include "tracer/plugins/plugin_hit.h"
 
 #include <algorithm>
@@ -197,6 +198,9 @@ Accel::~Accel() = default;
 
 namespace {
 
+// A tenth of a millimetre, in units of the direction.
+float least_distance(const Ray& ray) { return 1e-4F / length(ray.direction); }
+
 template <typename Packet>
 void load_ray(Packet& packet, std::size_t lane, const Ray& ray) {
   packet.org_x[lane] = ray.origin.x;
@@ -205,7 +209,7 @@ void load_ray(Packet& packet, std::size_t lane, const Ray& ray) {
   packet.dir_x[lane] = ray.direction.x;
   packet.dir_y[lane] = ray.direction.y;
   packet.dir_z[lane] = ray.direction.z;
-  packet.tnear[lane] = ray.nearest;
+  packet.tnear[lane] = has_fault(NumericFault::HitsNearOriginIgnored) ? least_distance(ray) : ray.nearest;
   packet.tfar[lane] = ray.reach;
   packet.time[lane] = ray.time;
   packet.mask[lane] = 0xffffffffU;

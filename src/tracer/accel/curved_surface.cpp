@@ -1,5 +1,7 @@
 #include "tracer/accel/curved_surface.h"
 
+#include "tracer/numeric_fault.h"
+
 #include <cmath>
 
 namespace orbs::tracer {
@@ -16,7 +18,20 @@ std::optional<double> disk_distance(Vec3d o, Vec3d d, double near, double far) {
   return x * x + z * z <= 1 ? std::optional(t) : std::nullopt;
 }
 
+// What NumericFault::NaiveQuadratic does.
+std::optional<double> naive_sphere_distance(Vec3f o, Vec3f d, double near, double far) {
+  const float a = dot(d, d);
+  const float b = 2 * dot(o, d);
+  const float discriminant = b * b - 4 * a * (dot(o, o) - 1);
+  if (discriminant < 0) return std::nullopt;
+  for (const float side : {-1.0F, 1.0F})
+    if (const double t = (-b + side * std::sqrt(discriminant)) / (2 * a); t > near && t < far) return t;
+  return std::nullopt;
+}
+
 std::optional<double> sphere_distance(Vec3d o, Vec3d d, double near, double far) {
+  if (has_fault(NumericFault::NaiveQuadratic))
+    return naive_sphere_distance(cast<float>(o), cast<float>(d), near, far);
   // Solved from the point of closest approach, as b^2 - 4ac cancels for small distant spheres (Haines et al.
   // 2019, Ray Tracing Gems, ch. 7).
   const double dd = dot(d, d);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/vec.h"
+#include "tracer/numeric_fault.h"
 
 #include <cmath>
 #include <optional>
@@ -68,6 +69,10 @@ inline float refraction_jacobian(float cos_o, float cos_i, float eta) {
 inline float fresnel_dielectric(float cos_i, float eta) {
   const float sin2_t = (1 - cos_i * cos_i) / (eta * eta);
   if (sin2_t >= 1) return 1;
+  if (has_fault(NumericFault::FresnelBySchlick)) {
+    const float at_normal = (eta - 1) * (eta - 1) / ((eta + 1) * (eta + 1));
+    return at_normal + (1 - at_normal) * std::pow(1 - cos_i, 5.0F);
+  }
   const float cos_t = std::sqrt(1 - sin2_t);
   const float parallel = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
   const float perpendicular = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);

@@ -3,6 +3,7 @@
 #include "snippets/ggx.h"
 #include "tracer/bsdf/bsdf_sample.h"
 #include "tracer/colour/scene_colours.h"
+#include "tracer/numeric_fault.h"
 #include "tracer/sampling/warps.h"
 
 #include <array>
@@ -13,6 +14,13 @@ namespace orbs::tracer {
 /// Height-correlated masking-shadowing G2 of two directions on one side of the surface.
 inline float ggx_g2(Vec3f wo, Vec3f wi, float alpha) {
   return snippets::smith_g2_correlated(snippets::ggx_lambda(wo, alpha), snippets::ggx_lambda(wi, alpha));
+}
+
+/// snippets::ggx_d.
+inline float ggx_density(Vec3f m, float alpha) {
+  if (!has_fault(NumericFault::MicrofacetsByCosine)) return snippets::ggx_d(m, alpha);
+  const float s = m.z * m.z * (alpha * alpha - 1) + 1;
+  return alpha * alpha / (kPi * s * s);
 }
 
 /// Glossy reflection without a Fresnel factor: f = colour D G2 / (4 cos cos), height-correlated Smith.
@@ -29,7 +37,7 @@ template <typename Value>
 BsdfValue<Value> evaluate(const GgxBsdf<Value>& bsdf, Vec3f wo, Vec3f wi) {
   if (wi.z <= 0) return {};
   const Vec3f m = normalised(wo + wi);
-  const float d = snippets::ggx_d(m, bsdf.alpha);
+  const float d = ggx_density(m, bsdf.alpha);
   const float f_cos = d * ggx_g2(wo, wi, bsdf.alpha) / (4 * wo.z);
   return {bsdf.colour * f_cos, snippets::ggx_g1(wo, bsdf.alpha) * d / (4 * wo.z)};
 }
@@ -42,7 +50,7 @@ std::optional<BsdfSample<Value>> sample(const GgxBsdf<Value>& bsdf, Vec3f wo, co
   const float g1 = snippets::ggx_g1(wo, bsdf.alpha);
   return BsdfSample<Value>{.wi = wi,
                            .weight = bsdf.colour * (ggx_g2(wo, wi, bsdf.alpha) / g1),
-                           .pdf = g1 * snippets::ggx_d(m, bsdf.alpha) / (4 * wo.z)};
+                           .pdf = g1 * ggx_density(m, bsdf.alpha) / (4 * wo.z)};
 }
 
 struct GgxMaterial {

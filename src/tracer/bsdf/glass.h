@@ -36,6 +36,9 @@ std::optional<BsdfSample<Value>> sample(const GlassBsdf<Value>& bsdf,
     out.wi = {-wo.x, -wo.y, wo.z};
     return out;
   }
+  constexpr float kNearOne = 1e-3F;
+  if (has_fault(NumericFault::NearIndexIgnored) && bsdf.eta != 1 && std::abs(bsdf.eta - 1) < kNearOne)
+    return std::nullopt;
   const auto wi = refracted(wo, {0, 0, 1}, bsdf.eta);
   if (!wi) return std::nullopt;  // at grazing angles rounding can take Fresnel's term below 1
   out.wi = *wi;

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "image/colour.h"
 #include "image/image_io.h"
+#include "tracer/numeric_fault.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +73,8 @@ Vec3f lookup(const TexelGrid& grid, Vec2f uv) {
 }
 
 UvMap uv_map(const Mat4& matrix, const scene::Texture& texture) {
-  const Mat4 m = scene::without_repetitions(matrix, texture);
+  const bool keeps = has_fault(NumericFault::TexturePeriodsKept);
+  const Mat4 m = keeps ? matrix : scene::without_repetitions(matrix, texture);
   const auto f = [&](std::size_t row, std::size_t column) { return static_cast<float>(m(row, column)); };
   return {{f(0, 0), f(0, 1), f(0, 3), f(1, 0), f(1, 1), f(1, 3)}};
 }

@@ -2,6 +2,7 @@
 
 #include "tracer/integrator/light_emission.h"
 #include "tracer/light/emitter.h"
+#include "tracer/numeric_fault.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,10 @@ namespace {
 // origin.
 Vec3f end_of_shadow_ray(const EmitterPoint& point, Vec3f from) {
   constexpr float kRayRounding = 16 * 0x1p-24F;
+  constexpr float kEarly = 1e-3F;
+  if (has_fault(NumericFault::ShadowRaysMeetLamp)) return point.position;
+  if (has_fault(NumericFault::ShadowRaysEndEarly)) return point.position + (from - point.position) * kEarly;
+  if (has_fault(NumericFault::ShadowRaysTooShort)) return from + (point.position - from) * kEarly;
   const float along_ray = kRayRounding * length(point.position - from);
   const float height = dot(point.normal, from - point.position);
   return point.position + point.normal * std::min(2 * point.position_error + along_ray, height / 2);
@@ -95,8 +100,10 @@ EmissionHit emission_at_light(const World& world,
   const Vec3f position = ray.origin + ray.direction * hit.distance;
   const Radiance radiance = radiance_towards(light, position, ray.origin);
   if (is_dark(radiance)) return {};
-  const float pdf = selection_probability(world, sampled_from, object.light) *
-                    pdf_towards(light.shape, sampled_from.position, position);
+  const bool is_of_another_point = has_fault(NumericFault::PdfOfAnotherPoint);
+  const float pdf =
+      selection_probability(world, sampled_from, object.light) *
+      pdf_towards(light.shape, is_of_another_point ? ray.origin : sampled_from.position, position);
   return {radiance, pdf, world.emitters.probability(object.light) > 0,
           emission_pdf_if_connected(world, object.light, position, sampled_from.position)};
 }

@@ -5,6 +5,7 @@
 #include "tracer/integrator/make_bsdf.h"
 #include "tracer/integrator/path_batch.h"
 #include "tracer/light/direct_light.h"
+#include "tracer/numeric_fault.h"
 
 /// What happens where the ray of a path ends: emission and environment are added, and a path that continues
 /// becomes a vertex with its BSDF.
@@ -133,6 +134,11 @@ void shade_hit(PathBatch<T>& batch,
   // A facet that is seen from behind at an interpolated normal in front would scatter to the far side of the
   // wall. At exactly grazing view nothing is reflected either.
   if (!sides_agree(point.geometric_normal, point.shading_normal, to_viewer)) return;
+  if (has_fault(NumericFault::BackFacesBlack) && dot(point.geometric_normal, to_viewer) < 0) return;
+  constexpr float kGrazing = 0.01F;
+  if (has_fault(NumericFault::GrazingViewsBlack) &&
+      std::abs(dot(point.geometric_normal, to_viewer)) < kGrazing)
+    return;
   const float side = dot(point.shading_normal, to_viewer);
   const int mirror_plane =
       world.mirror_planes.empty() ? -1 : mirror_plane_of(world, hit.object, hit.primitive);

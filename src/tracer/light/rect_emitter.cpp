@@ -1,6 +1,7 @@
 #include "tracer/light/rect_emitter.h"
 
 #include "base/vec.h"
+#include "tracer/numeric_fault.h"
 #include "tracer/sampling/warps.h"
 
 #include <algorithm>
@@ -69,7 +70,7 @@ std::optional<SphericalRectangle> make_spherical_rectangle(Vec3d centre,
   r.b1 = n2;
   r.k = 2 * kPi - g2 - g3;
   r.solid_angle = g0 + g1 - r.k;
-  if (!(r.solid_angle > 1e-2F)) return std::nullopt;
+  if (!(r.solid_angle > (has_fault(NumericFault::SolidAngleByAngles) ? 0 : 1e-2F))) return std::nullopt;
   return r;
 }
 
@@ -95,7 +96,8 @@ Vec3f absolute(Vec3d v) { return cast<float>(Vec3d{std::abs(v.x), std::abs(v.y),
 // spends most samples on its far end.
 std::optional<SphericalRectangle> near_rectangle(const RectEmitter& rect, Vec3f from) {
   const Vec3f d = cast<float>(rect.centre) - from;
-  if (!rect.is_orthogonal || dot(d, d) > 4 * rect.area) return std::nullopt;
+  const bool is_near = dot(d, d) <= 4 * rect.area || has_fault(NumericFault::SolidAngleByAngles);
+  if (!rect.is_orthogonal || !is_near) return std::nullopt;
   return make_spherical_rectangle(rect.centre, rect.a, rect.b, from);
 }
 

@@ -2,6 +2,7 @@
 
 #include "tracer/accel/curved_surface.h"
 #include "tracer/geometry/transforms.h"
+#include "tracer/numeric_fault.h"
 #include "tracer/sampling/warps.h"
 
 #include <algorithm>
@@ -12,6 +13,12 @@ namespace orbs::tracer {
 namespace {
 
 constexpr double kFullTurn = 2 * std::numbers::pi;
+
+// From the centre, of a place in floats.
+Vec3d from_centre(const SphereEmitter& sphere, Vec3f place) {
+  if (has_fault(NumericFault::SphereCentreInSingle)) return cast<double>(place - cast<float>(sphere.centre));
+  return cast<double>(place) - sphere.centre;
+}
 
 Vec3d to_local(const SphereEmitter& sphere, Vec3d v) {
   return {dot(sphere.inverse[0], v), dot(sphere.inverse[1], v), dot(sphere.inverse[2], v)};
@@ -41,6 +48,7 @@ float pdf_by_stretch(const SphereEmitter& sphere, Vec3d gradient) {
 // 1 - cos of the half angle that the unit sphere subtends at distance d > 1, without cancellation far away.
 double cone_height(double distance2) {
   const double sin2 = 1 / distance2;
+  if (has_fault(NumericFault::NaiveCone)) return 1 - std::sqrt(1 - static_cast<float>(sin2));
   return sin2 / (1 + std::sqrt(1 - sin2));
 }
 
@@ -62,7 +70,7 @@ SphereEmitter make_emitter(const scene::SphereShape& sphere, const Mat4& matrix,
 CurvedSurface surface_of(const SphereEmitter& sphere) { return {sphere.centre, sphere.inverse, true}; }
 
 std::optional<EmitterPoint> sample_towards(const SphereEmitter& sphere, Vec3f from, float u, float v) {
-  const Vec3d view = to_local(sphere, cast<double>(from) - sphere.centre);
+  const Vec3d view = to_local(sphere, from_centre(sphere, from));
   const double distance2 = dot(view, view);
   const float error = rounding_of(sphere);
   if (distance2 <= 1) return std::nullopt;  // from inside the light is dark
@@ -90,7 +98,7 @@ std::optional<EmitterPoint> sample_towards(const SphereEmitter& sphere, Vec3f fr
 }
 
 float pdf_towards(const SphereEmitter& sphere, Vec3f from, Vec3f position) {
-  const Vec3d view = to_local(sphere, cast<double>(from) - sphere.centre);
+  const Vec3d view = to_local(sphere, from_centre(sphere, from));
   const double distance2 = dot(view, view);
   if (distance2 <= 1) return 0;
   const Vec3d direction = cast<double>(position) - cast<double>(from);
@@ -113,19 +121,21 @@ EmittingPoint point_on(const SphereEmitter& sphere, float u, float v) {
 }
 
 float pdf_area(const SphereEmitter& sphere, Vec3f position) {
-  const Vec3d local = to_local(sphere, cast<double>(position) - sphere.centre);
+  const Vec3d local = to_local(sphere, from_centre(sphere, position));
   return pdf_by_stretch(sphere, gradient_at(sphere, local));
 }
 
 Vec3f normal_of(const SphereEmitter& sphere, Vec3f position) {
-  const Vec3d local = to_local(sphere, cast<double>(position) - sphere.centre);
+  const Vec3d local = to_local(sphere, from_centre(sphere, position));
   return cast<float>(normalised(gradient_at(sphere, local)));
 }
 
 // From outside, rays, samples and light paths meet the near side of a ball only, and that is bright. The
 // point itself says nothing of its side where the ball is hardly larger than the rounding of its place.
 bool shows_bright_side(const SphereEmitter& sphere, Vec3f position, Vec3f to_viewer) {
-  const Vec3d viewer = to_local(sphere, (cast<double>(position) - sphere.centre) + cast<double>(to_viewer));
+  if (has_fault(NumericFault::SphereCentreInSingle))
+    return dot(from_centre(sphere, position), cast<double>(to_viewer)) > 0;
+  const Vec3d viewer = to_local(sphere, from_centre(sphere, position) + cast<double>(to_viewer));
   return dot(viewer, viewer) > 1;
 }
 

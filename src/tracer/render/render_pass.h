@@ -3,11 +3,13 @@
 #include "base/nth.h"
 #include "base/parallel.h"
 #include "tracer/integrator/trace_batch.h"
+#include "tracer/numeric_fault.h"
 #include "tracer/render/light_pass.h"
 #include "tracer/render/passes.h"
 #include "tracer/render/rendering.h"
 #include "tracer/render/tile_samples.h"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -51,7 +53,10 @@ class TileWorker {
 
   // False if the sample is not finite.
   bool add(const Sample& sample, const PathState<T>& path) {
-    const Vec3f radiance = T::to_rgb(path.radiance, path.lambda);
+    Vec3f radiance = T::to_rgb(path.radiance, path.lambda);
+    constexpr float kMost = 10;
+    if (has_fault(NumericFault::SamplesClamped))
+      radiance = {std::min(radiance.x, kMost), std::min(radiance.y, kMost), std::min(radiance.z, kMost)};
     if (!is_finite(radiance)) {
       merge(bad_, {1, sample.x, sample.y});
       return false;

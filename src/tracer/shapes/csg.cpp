@@ -1,5 +1,6 @@
 #include "tracer/shapes/csg.h"
 
+#include "tracer/numeric_fault.h"
 #include "tracer/shapes/implicit_boundary.h"
 #include "tracer/shapes/solid.h"
 
@@ -92,11 +93,13 @@ BoundaryHit next_boundary(const QuadricLeaf& leaf, const LocalRay& ray, double a
   // (Haines et al. 2019, Ray Tracing Gems, ch. 7).
   const Vec3d middle = leaf.is_sphere ? Vec3d{} : Vec3d{0, (s.y_low + s.y_high) / 2, 0};
   const Vec3d d = ray.direction;
-  const double start = dot(middle - ray.origin, d) / dot(d, d);
+  const bool is_naive = leaf.is_sphere && has_fault(NumericFault::NaiveQuadratic);
+  const double start = is_naive ? 0 : dot(middle - ray.origin, d) / dot(d, d);
   const Vec3d o = point_at(ray, start);
   const double p = d.x * d.x + d.z * d.z - s.c * d.y * d.y;
   const double q = o.x * d.x + o.z * d.z - (s.b / 2 + s.c * o.y) * d.y;
-  const double r = o.x * o.x + o.z * o.z - s.a - o.y * (s.b + s.c * o.y);
+  double r = o.x * o.x + o.z * o.z - s.a - o.y * (s.b + s.c * o.y);
+  if (is_naive) r = static_cast<double>(static_cast<float>(dot(o, o)) - static_cast<float>(s.a));
   auto spans = below_zero(p, q, r);
   if (!leaf.is_sphere) {
     const Span between = slab(o.y, d.y, {s.y_low, box_face(1, false)}, {s.y_high, box_face(1, true)});

@@ -9,6 +9,7 @@
 #include "scene/relations/motion.h"
 #include "scene/scene.h"
 #include "tracer/colour/scene_colours.h"
+#include "tracer/numeric_fault.h"
 #include "tracer/world/build_lights.h"
 #include "tracer/world/build_meshes.h"
 #include "tracer/world/prepare_camera.h"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include <fmt/format.h>
@@ -91,7 +93,7 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
   world.transport = checked_transport(scene, settings);
   const SceneColours colours{scene, world.transport != scene::LightTransport::Rgb, world.spectra};
   const scene::Extent extent = scene::extent_of(scene);
-  const Vec3d origin = scene::origin_near(extent);
+  const Vec3d origin = has_fault(NumericFault::OriginNotMoved) ? Vec3d{} : scene::origin_near(extent);
   world.camera = prepare_camera(scene.camera, extent, origin);
   if (scene::has_motion(scene)) world.shutter = scene.camera.shutter;
   if (world.shutter && scene.camera.end) world.moving_camera = {scene.camera, extent, origin};
@@ -105,7 +107,9 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
     world.textures.push_back(load_texels(
         texture, settings.fault == scene::RenderFault::RawTextures ? Texels::AsStored : Texels::Linear));
   add_materials(scene, colours, world);
-  const scene::VastObjects is_vast = scene::vast_objects(scene, kVast);
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  const scene::VastObjects is_vast =
+      scene::vast_objects(scene, has_fault(NumericFault::VastInSingle) ? kNone : kVast);
   add_meshes(scene, origin, is_vast.instances, settings.most_copied_triangles, world);
   add_spheres(scene, origin, world);
   add_solids(scene, origin, world);
@@ -129,7 +133,7 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
 
 World make_world(const scene::Scene& scene, const WorldSettings& settings) {
   const double factor = scene::rescaling_into(scene, kLeastRadius_m, kMostRadius_m);
-  if (factor == 1) return make_world_as_is(scene, settings);
+  if (factor == 1 || has_fault(NumericFault::NotRescaled)) return make_world_as_is(scene, settings);
   return make_world_as_is(scene::moved(scene, scaling({factor, factor, factor})), settings);
 }
 

@@ -1,5 +1,7 @@
 #include "tracer/world/camera.h"
 
+#include "tracer/numeric_fault.h"
+
 #include <limits>
 
 namespace orbs::tracer {
@@ -20,7 +22,9 @@ Ray camera_ray(const PinholeCamera& camera, float x, float y) {
   Ray ray{camera.position, normalised(camera.forward + camera.right * sx + camera.up * sy)};
   // A camera that lies on a floor and looks away from it would see that floor at distance zero in every
   // direction. Other rays keep such hits: where one starts at an edge, they are what closes the room.
-  ray.nearest = std::numeric_limits<float>::min();
+  if (!has_fault(NumericFault::HitsAtZeroSeenByCamera)) ray.nearest = std::numeric_limits<float>::min();
+  constexpr float kMicrometre = 1e-6F;
+  if (has_fault(NumericFault::CameraRaysStartBehind)) ray.origin = ray.origin - ray.direction * kMicrometre;
   return ray;
 }
 

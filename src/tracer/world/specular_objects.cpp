@@ -2,6 +2,7 @@
 
 #include "base/nth.h"
 #include "tracer/geometry/box.h"
+#include "tracer/numeric_fault.h"
 
 #include <algorithm>
 #include <cmath>
@@ -108,7 +109,8 @@ std::optional<MirrorPlane> plane_of(const RenderObject& object, const TriangleCa
 // Triangles of one flat face agree up to rounding. Two faces that agree as well may be treated as one.
 bool same_plane(const MirrorPlane& a, const MirrorPlane& b) {
   const Vec3f apart = a.normal - b.normal;
-  return dot(apart, apart) < 1e-10F && std::abs(a.offset - b.offset) <= 1e-5F * (1 + std::abs(a.offset));
+  const float most = has_fault(NumericFault::MirrorsMerged) ? 1e-2F : 1e-5F * (1 + std::abs(a.offset));
+  return dot(apart, apart) < 1e-10F && std::abs(a.offset - b.offset) <= most;
 }
 
 bool has_point_area_ies(const World& world) {

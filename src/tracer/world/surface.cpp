@@ -1,6 +1,7 @@
 #include "tracer/world/surface.h"
 
 #include "base/nth.h"
+#include "tracer/numeric_fault.h"
 #include "tracer/plugins/plugin_hit.h"
 #include "tracer/sampling/warps.h"
 #include "tracer/shapes/solid_hit.h"
@@ -23,6 +24,11 @@ Vec3f interpolated_normal(const TriangleMesh& mesh, const Hit& hit, OfVertex of_
          of_vertex(mesh.normals[corners[2]]) * b2;
 }
 
+Vec3f shading_normal_from(Vec3f interpolated, Vec3f geometric_normal) {
+  if (has_fault(NumericFault::UnnormalisedNormals)) return interpolated;
+  return unit_or(interpolated, geometric_normal);
+}
+
 // Rounding error perpendicular to the plane, in half ulp of the size of the corners: about 6 for the sum of
 // corner and edges, and 6 for the differences corner - origin in the intersection test of the next ray.
 // (Error analysis as in Physically Based Rendering, 4th ed., 6.8.5; errors within the plane do no harm.)
@@ -41,7 +47,7 @@ SurfacePoint point_on_instance(const World& world, const RenderObject& object, c
   out.position = p0 + e1 * hit.barycentric.x + e2 * hit.barycentric.y;
   out.geometric_normal = normalised(cross(e1, e2));
   const auto in_world = [&](Vec3f normal) { return apply_to_direction(object.normal_to_world, normal); };
-  out.shading_normal = unit_or(
+  out.shading_normal = shading_normal_from(
       triangle.has_one_normal
           ? in_world(triangle.shading_normal)
           : interpolated_normal(mesh, hit, [&](Vec3f normal) { return normalised(in_world(normal)); }),
@@ -142,7 +148,9 @@ SurfacePoint light_point(const AreaLight& light, const Ray& ray, const Hit& hit)
   return out;
 }
 
-SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit) {
+namespace {
+
+SurfacePoint surface_point_as_is(const World& world, const Ray& ray, const Hit& hit) {
   const RenderObject& object = world.objects[hit.object];
   if (object.kind != ObjectKind::WorldMesh) return other_point(world, object, ray, hit);
   const TriangleMesh& mesh = world.meshes[object.mesh];
@@ -151,13 +159,33 @@ SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit) {
   out.material = nth(object.material_of, triangle.material);
   out.position = triangle.corner + triangle.edge1 * hit.barycentric.x + triangle.edge2 * hit.barycentric.y;
   out.geometric_normal = triangle.geometric_normal;
-  out.shading_normal = triangle.has_one_normal
-                           ? triangle.shading_normal
-                           : unit_or(interpolated_normal(mesh, hit, [](Vec3f normal) { return normal; }),
-                                     triangle.geometric_normal);
+  out.shading_normal =
+      triangle.has_one_normal
+          ? triangle.shading_normal
+          : shading_normal_from(interpolated_normal(mesh, hit, [](Vec3f normal) { return normal; }),
+                                triangle.geometric_normal);
   out.position_error = kTriangleRounding * triangle.size;
   if (!mesh.exact_positions.empty()) place_in_plane(mesh, ray, hit, out);
   return out;
+}
+
+float faulty_position_error(const SurfacePoint& point) {
+  constexpr float kMillimetre = 1e-3F;
+  constexpr float kOfCoordinates = 1e-5F;
+  if (has_fault(NumericFault::NoRayOffset)) return 0;
+  if (has_fault(NumericFault::RayOffsetInMetres)) return kMillimetre;
+  // The bound of the rounding is 12 to 20 half ulps of the largest coordinate.
+  if (has_fault(NumericFault::RayOffsetByCoordinates))
+    return point.position_error / kTriangleRounding * kOfCoordinates;
+  return point.position_error;
+}
+
+}  // namespace
+
+SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit) {
+  auto point = surface_point_as_is(world, ray, hit);
+  point.position_error = faulty_position_error(point);
+  return point;
 }
 
 Vec2f texture_coordinates(const World& world, const SurfaceHit& surface) {

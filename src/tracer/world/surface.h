@@ -3,6 +3,7 @@
 #include "base/nth.h"
 #include "tracer/geometry/lanes.h"
 #include "tracer/geometry/surface_point.h"
+#include "tracer/numeric_fault.h"
 #include "tracer/world/world.h"
 
 /// Hit points.
@@ -75,6 +76,7 @@ V offset_origin(V position, Real position_error, V geometric_normal, V direction
 template <typename V>
 auto sides_agree(V geometric_normal, V shading_normal, V direction) {
   using Real = decltype(direction.x);
+  if (has_fault(NumericFault::ShadingNormalDecidesSide)) return Real{} + 1.0F > 0.0F;
   const Real same_side = with_sign_of(Real{} + 1.0F, dot(geometric_normal, shading_normal));
   return dot(geometric_normal, direction) * same_side * dot(shading_normal, direction) > 0.0F;
 }
