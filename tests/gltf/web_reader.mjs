@@ -34,8 +34,9 @@ function passes(scenes, images, output) {
     ["run", ...options, ...images, "--suite", "known", "-s", scenes, "-v", "-o", output],
     { encoding: "utf8" },
   );
-  console.log(call.stdout + call.stderr);
-  const passed = call.stdout.match(/^\[\d+\/\d+\] web-gltf +\S+ +pass /gm) ?? [];
+  const told = call.stdout + call.stderr; // the lines of the targets are on stderr
+  console.log(told);
+  const passed = told.match(/^\[\d+\/\d+\] web-gltf +\S+ +pass /gm) ?? [];
   return call.status === 0 && passed.length === scenes.split(",").length;
 }
 
