@@ -6,7 +6,7 @@
 // Materials, meshes, textures and camera are those of GLTFLoader of three.js, so that an image shows what a second reader of
 // glTF makes of our exporter, beside Blender's importer (cycles_gltf.py). Of what the exporter puts into the extras of the
 // scene it takes the size of the image and the trace depth. Without a graphics card all is computed on the processor, by
-// SwiftShader. One correction is made unless --as-is is given: web/render.mjs says which.
+// SwiftShader. Two corrections are made unless --as-is is given: web/render.mjs and web/lamps.mjs say which.
 //
 // Ends with status 2 and one line on stderr when there is no image; the output appears only when complete. Prints
 // `orbs: render_seconds <s>`, the time of the samples alone.
