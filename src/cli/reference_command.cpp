@@ -19,8 +19,7 @@ void add_reference_command(const command_line::Command& command, const Program& 
   const auto run = std::make_shared<RunOptions>();
   add_settings(command, *run, kTargetSettings);
   command
-      .add_option("--spp", settings->spp,
-                  "Samples per pixel (default: until its noise leaves verdicts room)")
+      .add_option("--spp", settings->spp, "Samples per pixel (default: until its noise leaves verdicts room)")
       .range(1, references::kMostReferenceSpp);
   command.add_option("--seed", settings->seed, "Seed; it must differ from the seeds of runs")
       .zero_or_more()

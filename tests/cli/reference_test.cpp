@@ -213,7 +213,7 @@ TEST(Reference, ThatWasStoppedGoesOnWithTheFirstPass) {
   EXPECT_EQ(in_two_calls.render(true), 130);
   EXPECT_TRUE(contains(in_two_calls.said, "stopped at grey")) << in_two_calls.said;
   EXPECT_EQ(in_two_calls.render(false), 0);
-  EXPECT_TRUE(contains(in_two_calls.said, "dB, of an earlier call")) << in_two_calls.said;
+  EXPECT_TRUE(contains(in_two_calls.said, " of a tile, of an earlier call")) << in_two_calls.said;
   EXPECT_FALSE(in_two_calls.sandbox.has("references/.unfinished"));
   Stoppable in_one;
   EXPECT_EQ(in_one.render(false), 0);
@@ -260,7 +260,7 @@ TEST(Reference, OfACallThatWasKilledIsGoneOnWith) {
   EXPECT_EQ(scene.render(true), 130);
   scene.sandbox.write("references/.unfinished/.grey.lock", "99999\n");
   EXPECT_EQ(scene.render(false), 0);
-  EXPECT_TRUE(contains(scene.said, "dB, of an earlier call")) << scene.said;
+  EXPECT_TRUE(contains(scene.said, " of a tile, of an earlier call")) << scene.said;
   EXPECT_FALSE(scene.sandbox.has("references/.unfinished"));
 }
 
