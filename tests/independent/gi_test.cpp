@@ -11,6 +11,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -151,4 +152,20 @@ TEST(IndependentEstimate, FindsTheReferencesOfGi) {
   EXPECT_EQ(tasks.size(), 19U);
   const auto complaints = complaints_of(tasks);
   EXPECT_TRUE(complaints.empty()) << fmt::format("{}", fmt::join(complaints, "\n"));
+}
+
+// Tiles of the caustics that a hundredth of these paths found dark, or too dark by many standard errors.
+TEST(IndependentEstimate, FindsDimTilesOfCaustics) {
+  constexpr long kPaths = 4'000'000;
+  constexpr double kErrors = 4;
+  const std::vector<std::pair<std::string, Rectangle>> tiles{{"caustic-cube-3-k4", {224, 0, 256, 32}},
+                                                             {"caustic-cube-k4", {160, 64, 192, 96}},
+                                                             {"caustic-sphere-3", {192, 96, 224, 128}},
+                                                             {"caustic-sphere-3-k4", {128, 160, 160, 192}}};
+  for (const auto& [scene, tile] : tiles) {
+    const auto found = estimate(scene, kPaths, {tile});
+    ASSERT_EQ(found.size(), 1U) << scene;
+    const auto known = part_of(image::read_image(suite_gi().references / (scene + ".exr")), tile);
+    EXPECT_NEAR(found[0].mean, known.mean, kErrors * std::hypot(found[0].error, known.error)) << scene;
+  }
 }
