@@ -35,6 +35,7 @@ def scene_with(reflectance):
 
 
 def mean_of(image):
+    """Of the first channel of an image file."""
     text = subprocess.run(["oiiotool", "--stats", image], check=True, capture_output=True, text=True).stdout
     return float(re.search(r"Stats Avg: (\S+)", text).group(1))
 

@@ -9,14 +9,9 @@ of all its renders with their starts. oiiotool must be installed."""
 
 import csv
 import math
-import re
-import subprocess
 import sys
 
-
-def mean_of(image):
-    text = subprocess.run(["oiiotool", "--stats", image], check=True, capture_output=True, text=True).stdout
-    return float(re.search(r"Stats Avg: (\S+)", text).group(1))
+from cache_in_sphere import mean_of
 
 
 def main(run, references):

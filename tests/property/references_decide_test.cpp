@@ -1,19 +1,14 @@
 // The noise of a reference stays, however many samples a renderer takes. Its variance may be half of what a
 // pass leaves room for: then it costs a right renderer twice the samples at most, and leaves none undecided.
 #include "base/parallel.h"
-#include "base/statistics.h"
 #include "judge/judge.h"
-#include "metrics/pair_samples.h"
-#include "metrics/worst_tile.h"
+#include "references/noise_limits.h"
 #include "registry/cases.h"
 #include "registry/configuration.h"
-#include "run/looks.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <mutex>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -25,69 +20,20 @@ using namespace orbs;
 
 namespace {
 
-// Of the pixels of a rectangle, of one channel.
-struct Sums {
-  double light = 0;
-  double variance = 0;
-  double pixels = 0;
-  double mean() const { return light / pixels; }
-  double error() const { return std::sqrt(variance) / pixels; }
-};
-
-Sums sums_of(const metrics::PairSamples& samples, const Rectangle& where, std::size_t channel) {
-  Sums sums;
-  metrics::for_each_block_pixel(samples, where, [&](std::size_t pixel) {
-    sums.light += static_cast<double>(samples.reference[3 * pixel + channel]);
-    sums.variance += metrics::variance_at(samples.reference_variance, 3 * pixel + channel);
-    sums.pixels += 1;
-  });
-  return sums;
-}
-
-double limit_of(const registry::Case& one_case, const char* metric) {
-  return registry::find_gate(one_case.gates, metric)->max.value();
-}
-
 // Its light lies on a few tiles, in colours of which a part is outside of Rec. 709 and negative: a tile has a
 // standard error of 2.5 %, in red of 8 %. Seven times the samples would do for green and blue.
 bool is_known_to_be_noisy(const std::string& name) { return name == "appearance prism_SF10"; }
 
-// The standard errors of the reference over those that a pass leaves room for.
+// What the noise of the reference leaves of the room for a verdict; the PSNR is no matter here.
 std::vector<std::string> too_noisy(const std::string& name,
                                    const registry::Case& one_case,
                                    const image::Image& reference) {
-  constexpr double kShare = std::numbers::sqrt2;
-  constexpr double kFirmness = 10;  // of means, see metrics/noise_test.h
-  constexpr double kTilesThatFit =
-      7.4;  // standard errors in the limit, where all of 3 x 64 intervals must fit
-  constexpr double kNormal = 1e9;
-  const double to_pass = student_quantile(2 * metrics::kWrongPasses / run::kMostLooks, kNormal);
-  const auto samples = metrics::pair_samples(reference, reference);
-  std::vector<std::string> complaints;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const auto all = sums_of(samples, {0, 0, samples.width, samples.height}, c);
-    if (!(all.mean() > kFirmness * all.error())) continue;
-    constexpr std::array kMeans{"mean_ratio_r", "mean_ratio_g", "mean_ratio_b"};
-    const double most = limit_of(one_case, kMeans.at(c)) / kShare / to_pass;
-    if (all.error() > most * all.mean())
-      complaints.push_back(
-          fmt::format("{}: {} of the reference has a standard error of {:.3g} %, at most {:.3g} % is wanted",
-                      name, "RGB"[c], 100 * all.error() / all.mean(), 100 * most));
-    const double most_of_tile = limit_of(one_case, "local_bias") / kShare / kTilesThatFit;
-    double worst = 0;
-    constexpr int kTile = metrics::worst_tile::kSize_px;
-    for (int y = 0; y + kTile <= samples.height; y += kTile)
-      for (int x = 0; x + kTile <= samples.width; x += kTile) {
-        const auto tile = sums_of(samples, {x, y, x + kTile, y + kTile}, c);
-        if (tile.pixels > 0)
-          worst = std::max(worst, tile.error() / (std::max(0.0, tile.mean()) + all.mean()));
-      }
-    if (worst > most_of_tile)
-      complaints.push_back(
-          fmt::format("{}: a tile of {} has a standard error of {:.3g} %, at most {:.3g} % is wanted", name,
-                      "RGB"[c], 100 * worst, 100 * most_of_tile));
-  }
-  return complaints;
+  auto noise = references::noise_of(reference);
+  const auto most = references::most_noise(one_case.gates);
+  noise.psnr_db = most.psnr_db;
+  if (references::times_too_noisy(noise, most) <= 1) return {};
+  return {fmt::format("{}: the reference has a noise of {}, at most {} is wanted", name,
+                      references::noise_text(noise), references::noise_text(most))};
 }
 
 }  // namespace
