@@ -3,6 +3,7 @@
 #include "base/terminal.h"
 #include "base/text.h"
 #include "base/text_table.h"
+#include "report/report_card.h"
 #include "report/short_reason.h"
 #include "report/table.h"
 
@@ -76,6 +77,16 @@ std::string samples_text(const results::RunRecord& record, const std::string& re
   return text + "\n";
 }
 
+// "orbs: right on all 48 targets", a line for each renderer: what a reader sees last is the answer.
+std::string report_card_text(const results::RunRecord& record) {
+  std::string text;
+  for (const auto& card : report::report_cards(record)) {
+    const auto cost = report::cost_sentence(card);
+    text += fmt::format("{}: {}{}\n", card.renderer, card.sentence, cost.empty() ? "" : "; it " + cost);
+  }
+  return text;
+}
+
 }  // namespace
 
 bool fails_run(const results::TargetRecord& target) {
@@ -115,6 +126,7 @@ void print_end(const results::RunRecord& record,
     print_clean("ended after {} failed target{} (--maxfail)\n", settings.max_fail,
                 settings.max_fail == 1 ? "" : "s");
   if (settings.quiet) return;
+  print_clean("\n{}", report_card_text(record));
   const auto relative = folder.lexically_proximate(std::filesystem::current_path()).string();
   const std::vector<std::string> argv = record.interrupted
                                             ? std::vector<std::string>{"orbs", "run", "--resume", relative}

@@ -242,6 +242,7 @@ Overview overview_of(const RunView& view) {
   overview.run = info_of(view);
   overview.states = all_states(run.strict);
   for (const auto& name : renderer_names) overview.renderers.push_back(renderer_of(run, name));
+  overview.cards = report_cards(run);
   overview.left_out = run.left_out;
   for (const auto& name : case_names) overview.cases.push_back(case_of(run, name));
   for (const auto& requirement : run.requirements)

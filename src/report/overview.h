@@ -1,5 +1,6 @@
 #pragma once
 
+#include "report/report_card.h"
 #include "results/run_folder.h"
 
 #include <cstddef>
@@ -139,6 +140,7 @@ struct Overview {
   RunInfo run;
   std::vector<State> states;  // verdicts from best to worst, then those of renders that are not done
   std::vector<Renderer> renderers;
+  std::vector<ReportCard> cards;
   std::vector<results::LeftOut> left_out;
   std::vector<results::CaseRecord> cases;
   std::vector<Requirement> requirements;
@@ -157,6 +159,7 @@ void fields(Visitor& visit, Record& overview) {
   visit("run", overview.run);
   visit("states", overview.states);
   visit("renderers", overview.renderers);
+  visit("cards", overview.cards);
   visit("left_out", overview.left_out);
   visit("cases", overview.cases);
   visit("requirements", overview.requirements);
