@@ -94,7 +94,8 @@ std::optional<Diagnosis> diagnosed(const FaultSubject& subject) {
   }
   const double psnr_db = fault.undone ? psnr_srgb8(*fault.undone, samples.reference, samples, fault.known)
                                       : psnr_srgb8(samples.result, fault.like, samples, fault.known);
-  return Diagnosis{fault.fault, fault.text, psnr_db, share};
+  return Diagnosis{
+      fault.fault, fault.text, psnr_db, share, fault.undone.value_or(fault.like), fault.undone.has_value()};
 }
 
 std::string diagnosis_text(const std::optional<Diagnosis>& diagnosis) {

@@ -16,6 +16,10 @@ struct Diagnosis {
   std::string text;    // "shifted by (2, 1) px"
   double psnr_db = 0;  // psnr_srgb8 once the fault is undone, or against the reference with the same fault
   double share = 0;    // of the error, what the fault explains: at least 0.9
+  /// The result with the fault undone, to be compared with the reference; where a fault cannot be undone, the
+  /// reference with it, to be compared with the result. R, G, B.
+  image::Image proof = {};
+  bool is_undone = false;
 };
 
 /// The one fault that explains the difference, or nothing.

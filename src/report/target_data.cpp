@@ -36,6 +36,11 @@ std::vector<ImageFile> images_of(const TargetRecord& target) {
   std::vector<ImageFile> images;
   if (!target.image.empty()) images.push_back({"result", "result", target.image});
   if (!target.reference_image.empty()) images.push_back({"reference", "reference", target.reference_image});
+  if (!target.proof.image.empty())
+    images.push_back({target.proof.is_undone ? "fault undone" : "reference with fault", "proof",
+                      target.proof.image,
+                      target.proof.is_undone ? "the result with the fault undone that the diagnosis names"
+                                             : "the reference with the fault that the diagnosis names"});
   for (const auto& map : target.maps)
     images.push_back({map.name, "map", map.image, map.definition, map.is_signed, map.scale_maximum});
   return images;

@@ -14,9 +14,9 @@ namespace orbs::report {
 /// An image of a target, in the folder of the run.
 struct ImageFile {
   std::string name;
-  std::string_view kind;  // "result", "reference" or "map"
+  std::string_view kind;  // "result", "reference", "proof" of the diagnosis, or "map"
   std::string file;
-  std::optional<std::string> definition = {};  // the rest is of maps
+  std::optional<std::string> definition = {};  // of proofs and maps; the rest is of maps
   std::optional<bool> is_signed = {};
   std::optional<double> scale_maximum = {};
 };

@@ -101,6 +101,18 @@ void fields(Visitor& visit, Record& look) {
   visit("high", look.high);
 }
 
+/// What shows a diagnosis to the eye.
+struct ProofRecord {
+  std::string image;       // EXR in the run's folder; "" where no fault is named
+  bool is_undone = false;  // the result with the fault undone; else the reference with the same fault
+};
+
+template <class Visitor, json::RecordOf<ProofRecord> Record>
+void fields(Visitor& visit, Record& proof) {
+  visit.inside_folder("image", proof.image);
+  visit("undone", proof.is_undone);
+}
+
 /// The diagnosis of an image that no usual fault explains.
 inline constexpr std::string_view kNoUsualFault = "none of the usual faults explains the error";
 
@@ -121,6 +133,7 @@ struct TargetRecord {
   std::vector<LookRecord> looks;     // none: its samples were fixed
   std::vector<std::string> remarks;  // facts that change no verdict
   std::string diagnosis;  // which usual fault explains a failure, or that none does; "" if none was tried
+  ProofRecord proof;      // of the diagnosis
   std::string hidden;     // what errors its noise hides; "" for none worth it
   std::string reference;  // absolute path
   std::map<std::string, std::string> reference_provenance;  // "program", "spp", ...
@@ -146,6 +159,7 @@ void fields(Visitor& visit, Record& target) {
   visit("looks", target.looks);
   visit("remarks", target.remarks);
   visit("diagnosis", target.diagnosis);
+  visit("proof", target.proof);
   visit("hidden", target.hidden);
   visit("reference", target.reference);
   visit("reference_provenance", target.reference_provenance);

@@ -14,6 +14,7 @@ import { Measures } from "./Measures";
 import { useOtherImages } from "./other_images";
 import { PathToVerdict } from "./PathToVerdict";
 import { Provenance } from "./Provenance";
+import { Related } from "./Related";
 import { RenderRecord } from "./RenderRecord";
 import { Verdict } from "./Verdict";
 
@@ -173,6 +174,7 @@ function Detail({ session, route, one, detail }: DetailProps) {
             <p class="quiet">Smallest error that this gate detects: {one.smallest_error_seen}</p>
           ) : null}
         </section>
+        <Related session={session} detail={detail} />
         <Effects detail={detail} />
         <Cost detail={detail} />
         <Provenance session={session} detail={detail} />

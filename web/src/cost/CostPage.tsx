@@ -2,7 +2,7 @@ import { useEffect, useMemo, useRef } from "preact/hooks";
 import { Choice } from "../common/Choice";
 import { useActions } from "../common/keys";
 import type { Source } from "../data/source";
-import { note, type Route } from "../route";
+import { note, routeText, type Route } from "../route";
 import { About } from "./About";
 import { Answer } from "./Answer";
 import { chartOf, rangesOf, type Axes } from "./chart_data";
@@ -110,6 +110,7 @@ function TargetPanel({
             <p class="quiet">The study has no values for these axes on this target.</p>
           )}
           <FitTable study={study} curves={chart.curves.map(({ curve }) => curve)} />
+          <RunsOf source={source} target={study.targets[target]?.name ?? ""} />
         </div>
         {chosen ? (
           <Pictures
@@ -119,6 +120,25 @@ function TargetPanel({
         ) : null}
       </div>
     </section>
+  );
+}
+
+/** The target in the runs that are served beside the study. */
+function RunsOf({ source, target }: { source: Source; target: string }) {
+  const runs = source.runs.filter((_, i) => source.kinds[i] === "run");
+  if (runs.length === 0) return null;
+  return (
+    <p>
+      Its images and verdicts:{" "}
+      {runs.map((name, i) => (
+        <>
+          {i > 0 ? ", " : ""}
+          <a href={routeText({ path: [], query: { run: name, by: "target", q: target } })}>
+            {name}
+          </a>
+        </>
+      ))}
+    </p>
   );
 }
 

@@ -5,7 +5,7 @@ import { note, type Route } from "../route";
 import { Filters } from "./Filters";
 import { Gallery } from "./Gallery";
 import { Grid } from "./Grid";
-import { RendererTable } from "./RendererTable";
+import { ReportCards } from "./ReportCards";
 import { groupsOf, visibleRenderers, visibleRows, type Filter } from "./rows";
 
 const list = (text: string | undefined): string[] => (text ? text.split("|") : []);
@@ -61,7 +61,7 @@ export function OverviewPage({ session, route }: { session: Session; route: Rout
   return (
     <>
       <h1 class="unseen">Overview</h1>
-      <RendererTable overview={overview} />
+      <ReportCards session={session} />
       <Filters
         overview={overview}
         filter={filter}

@@ -78,25 +78,18 @@ function RendererRow({ overview, renderer, counts }: RowProps) {
 export function RendererTable({ overview }: { overview: Overview }) {
   const counts = countsOf(overview);
   return (
-    <section class="renderers" aria-label="Renderers" tabIndex={0}>
-      <table>
-        <TableHead columns={kColumns} />
-        <tbody>
-          {overview.renderers.map((renderer, r) => (
-            <RendererRow
-              key={renderer.name}
-              overview={overview}
-              renderer={renderer}
-              counts={counts[r] ?? []}
-            />
-          ))}
-        </tbody>
-      </table>
-      {overview.left_out.map(({ renderer, reason }) => (
-        <p class="quiet" key={renderer}>
-          {renderer} was left out: {reason}
-        </p>
-      ))}
-    </section>
+    <table>
+      <TableHead columns={kColumns} />
+      <tbody>
+        {overview.renderers.map((renderer, r) => (
+          <RendererRow
+            key={renderer.name}
+            overview={overview}
+            renderer={renderer}
+            counts={counts[r] ?? []}
+          />
+        ))}
+      </tbody>
+    </table>
   );
 }
