@@ -1,5 +1,6 @@
 /// What is exported for scenes very small or wide, and seen from far away.
 #include "adapters/mitsuba/mitsuba.h"
+#include "adapters/pbrt/pbrt.h"
 #include "base/files.h"
 #include "scene/load/load_scene.h"
 #include "scene/relations/ground.h"
@@ -62,6 +63,18 @@ TEST_F(ExtremeScales, MitsubaHasBlocksForManyThreadsWhateverTheirNumber) {
   EXPECT_EQ(size(255, 128), 16);
   EXPECT_EQ(size(32, 32), 4);
   EXPECT_EQ(size(1, 1), 1);
+}
+
+TEST_F(ExtremeScales, PbrtKeepsTheOriginOfASceneThatIsSeenFromAfar) {
+  const std::string frame = "Option \"rendercoordsys\" \"world\"\n";
+  const auto keeps = [&](const scene::Scene& scene) {
+    return exported(scene, adapters::write_pbrt).find(frame) != std::string::npos;
+  };
+  EXPECT_FALSE(keeps(scene_));
+  const auto seen_from_afar = std::get<scene::Scene>(scene::with_far_camera(scene_, 1000));
+  EXPECT_TRUE(keeps(seen_from_afar));
+  // A scene far from its origin is no nearer to it than its camera is.
+  EXPECT_FALSE(keeps(scene::moved(scene_, translation({1e6, 0, 0}))));
 }
 
 }  // namespace
