@@ -12,7 +12,8 @@ solid-angle sampling of an emitting triangle by comparing its longest edge with 
 even from afar, and that solid angle is a sum of three fast_acosf with 4.5e-5 rad error each: a light of 0.01 sr is then
 about 1 % too dark. `auto` shrinks the world until the largest emitting triangle has a doubled area of 0.1: from farther
 than 0.1 edges it is then sampled by area, which is exact. The scale stays above 0.01 (Cycles' ray offsets are absolute
-near the origin): lights that would need less are so large that 1e-4 sr do not matter.
+near the origin): lights that would need less are so large that 1e-4 sr do not matter. A world whose objects are
+kilometres or fractions of a millimetre in size is first brought to about a metre, by a power of two, which rounds nothing.
 """
 
 import json
@@ -104,13 +105,14 @@ def build(scene, folder, scale_option):
     ends = {m["name"]: read_end(m, meshes[m["name"]][0], folder) for m in scene.get("meshes", []) if "end" in m}
     moved = [moved_positions(i, meshes, ends) for i in scene.get("instances", [])] if shutter else [None] * len(instances)
     lights = [checked_light(entry, index) for index, entry in enumerate(scene.get("lights", []))]
-    scale = chosen_scale(scale_option, descriptions, meshes, instances, lights)
+    boxes = boxes_in_place(meshes, instances, lights)
+    scale = chosen_scale(scale_option, descriptions, meshes, instances, lights, boxes)
     print(f"orbs: scale {scale:.9g}", flush=True)
     scales_radiance = may_start_in_glass(scene["camera"], descriptions, meshes, instances, lights)
     textures = {t["name"]: load_texture(t) for t in scene.get("textures", [])}
     around = cycles_materials.Surroundings(textures, scales_radiance)
     materials = {name: make_material(m, around) for name, m in descriptions.items()}
-    add_camera(scene["camera"], scale, farthest_distance(scene["camera"]["position"], meshes, instances, lights))
+    add_camera(scene["camera"], scale, farthest_distance(scene["camera"]["position"], boxes))
     add_environment(scene.get("environment", [0, 0, 0]))
     add_instances(meshes, instances, materials, scale, moved, shutter)
     for index, light in enumerate(lights):
@@ -235,20 +237,30 @@ def checked_light(light, index):
     return light, make_shape(*(light[size] for size in sizes)), checked_matrix(light, place)
 
 
-def chosen_scale(option, descriptions, meshes, instances, lights):
+def chosen_scale(option, descriptions, meshes, instances, lights, boxes):
     if option != "auto":
         scale = float(option)
         if not (math.isfinite(scale) and scale > 0):
             raise SceneError(f"--scale must be auto or above 0, is {option}")
         return scale
+    metre = usual_size(boxes)
     largest = max((cycles_meshes.largest_triangle_area(shape, matrix) for _, shape, matrix in lights), default=0.0)
     for _, mesh, matrix, slots in instances:
         emitting = {i for i, name in enumerate(slots) if descriptions[name]["type"] == "emission"}
         if emitting:
             largest = max(largest, cycles_meshes.largest_triangle_area(meshes[mesh][0], matrix, emitting))
+    largest /= metre * metre
     if largest == 0:
-        return 1.0
-    return min(1.0, max(SMALLEST_SCALE, math.sqrt(LARGEST_DOUBLED_EMITTER_AREA / (2 * largest))))
+        return 1.0 / metre
+    return min(1.0, max(SMALLEST_SCALE, math.sqrt(LARGEST_DOUBLED_EMITTER_AREA / (2 * largest)))) / metre
+
+
+def usual_size(boxes):
+    """Returns the power of two next below the size of the object in the middle of all objects by size, so that neither a
+    vast ground nor a small lamp decides; 1 where that is from 1/256 m to 256 m, where Cycles needs no help."""
+    sizes = sorted(math.dist(*cycles_meshes.bounds_of_box(box, matrix)) for box, matrix in boxes)
+    middle = sizes[(len(sizes) - 1) // 2] if sizes else 1.0
+    return 1.0 if middle == 0 or 2**-8 <= middle <= 2**8 else 2.0 ** math.floor(math.log2(middle))
 
 
 def may_start_in_glass(camera, descriptions, meshes, instances, lights):
@@ -272,17 +284,18 @@ def world_matrix(numbers, scale):
     return Matrix.Scale(scale, 4) @ Matrix(rows)
 
 
-def farthest_distance(position, meshes, instances, lights):
+def farthest_distance(position, boxes):
     """An upper bound of the distance in metres from the camera to what is drawn; 0 if nothing is."""
-    boxes = {}
-    for _, mesh, _, _ in instances:
-        if mesh not in boxes:
-            boxes[mesh] = cycles_meshes.bounds(meshes[mesh][0], IDENTITY)
-    placed = [(boxes[mesh], matrix) for _, mesh, matrix, _ in instances]
-    placed += [(cycles_meshes.bounds(shape, IDENTITY), matrix) for _, shape, matrix in lights]
     corners = [Matrix((matrix[0:4], matrix[4:8], matrix[8:12], matrix[12:16])) @ Vector((x[0], y[1], z[2]))
-               for (low, high), matrix in placed for x in (low, high) for y in (low, high) for z in (low, high)]  # fmt: skip
+               for (low, high), matrix in boxes for x in (low, high) for y in (low, high) for z in (low, high)]  # fmt: skip
     return max(((corner - Vector(position)).length for corner in corners), default=0.0)
+
+
+def boxes_in_place(meshes, instances, lights):
+    """Returns the box of each instance and light in its own space, and its matrix."""
+    boxes = {mesh: cycles_meshes.bounds(meshes[mesh][0], IDENTITY) for mesh in {mesh for _, mesh, _, _ in instances}}
+    placed = [(boxes[mesh], matrix) for _, mesh, matrix, _ in instances]
+    return placed + [(cycles_meshes.bounds(shape, IDENTITY), matrix) for _, shape, matrix in lights]
 
 
 def clip_distances(scale, farthest):

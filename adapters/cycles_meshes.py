@@ -214,6 +214,12 @@ def bounds(triangles, matrix):
     return [min(column) for column in zip(*points)], [max(column) for column in zip(*points)]
 
 
+def bounds_of_box(box, matrix):
+    """Returns the lowest and the highest corner of the box around a transformed box."""
+    points = [transformed(matrix, x[0], y[1], z[2]) for x in box for y in box for z in box]
+    return [min(column) for column in zip(*points)], [max(column) for column in zip(*points)]
+
+
 def is_closed(triangles):
     """Tests the vector area, which is zero for a closed surface and not for a sheet of water."""
     p, vector, total = triangles.positions, [0.0, 0.0, 0.0], 0.0

@@ -2,6 +2,7 @@
 #include "peers/scenes.h"
 #include "peers/texels.h"
 #include "scene/geometry/generators.h"
+#include "scene/relations/motion.h"
 
 #include <algorithm>
 #include <array>
@@ -76,6 +77,24 @@ TEST(Cycles, RectGivesItsFormFactor) {
     return kFloorAlbedo * 3 * polygon_factor(floor_point(scene, x, y), corners);
   };
   expect_in_quarters(image, expected, 1e-3);
+}
+
+// Cycles' own constants are lengths in metres, and Blender's cameras clip nearer than a micrometre.
+TEST(Cycles, AWorldOfAnySizeLooksTheSame) {
+  auto scene = floor_scene();
+  scene.lights.push_back({"l", scene::RectShape{0.25, 0.5}, {3, 3, 3}, translation({0.3, 1.5, -0.2}), {}});
+  const auto usual = render_with_cycles(scene, "metres", 64);
+  for (const double factor : {1e-8, 1e8}) {
+    const auto image =
+        render_with_cycles(scene::moved(scene, scaling({factor, factor, factor})), "scaled", 64);
+    // The same random numbers on coordinates that are rounded elsewhere; without the adapter's help the image
+    // of the small world is black.
+    double most = 0;
+    for (int y = 0; y < usual.height; ++y)
+      for (int x = 0; x < usual.width; ++x)
+        most = std::max(most, std::abs(value(image, x, y) / value(usual, x, y) - 1));
+    EXPECT_LT(most, 0.01) << factor;
+  }
 }
 
 // Wholly above the horizon: F = (r / d)^2 cos. The adapter's sphere is an icosahedron's subdivision of the

@@ -26,28 +26,44 @@ namespace {
 using mitsuba::to_world;
 using mitsuba::vector;
 
-// The largest distance of a vertex or light from the camera, at least 1: Mitsuba's near and far planes clip,
-// those of ORB.S do not.
-double farthest_m(const scene::Scene& scene, const std::vector<MaterialMesh>& meshes) {
-  double farthest = 1;
-  const auto meet = [&](Vec3d point, double radius_m) {
-    farthest = std::max(farthest, length(point - scene.camera.position_m) + radius_m);
-  };
+struct ClipDistances {
+  double near_m;
+  double far_m;
+};
+
+// The distance of the farthest vertex of each mesh and light from the camera.
+std::vector<double> depths_m(const scene::Scene& scene, const std::vector<MaterialMesh>& meshes) {
+  const Vec3d camera = scene.camera.position_m;
+  std::vector<double> depths;
   for (const MaterialMesh& shown : meshes)
-    for (const Mat4& place : shown.places)
-      for (const Vec3f p : shown.mesh.positions) meet(transform_point(place, cast<double>(p)), 0);
+    for (const Mat4& place : shown.places) {
+      double depth = 0;
+      for (const Vec3f p : shown.mesh.positions)
+        depth = std::max(depth, length(transform_point(place, cast<double>(p)) - camera));
+      depths.push_back(depth);
+    }
   for (const scene::Light& light : scene.lights) {
     const double scale = length(transform_direction(light.matrix, {1, 0, 0})) +
                          length(transform_direction(light.matrix, {0, 0, 1}));
     const Vec3d half = half_size(light.shape);
-    meet(transform_point(light.matrix, {}), scale * std::max(half.x, half.z));
+    depths.push_back(length(transform_point(light.matrix, {}) - camera) + scale * std::max(half.x, half.z));
   }
-  return farthest;
+  return depths;
 }
 
-// Mitsuba's look-at is right-handed as ours, so nothing is flipped. `fov` is along x by default. The near
-// plane is a millionth of the scene's depth, the resolution of float coordinates there.
-std::string sensor_text(const scene::Camera& camera, double farthest) {
+// Mitsuba's near and far planes clip, those of ORB.S do not. The near plane is a millionth of the scene's
+// depth, the resolution of float coordinates there. The depth that counts is at most 1000 times that of the
+// nearest object, so that a ground of 1000 km does not move the plane beyond what stands on it.
+ClipDistances clip_distances(const scene::Scene& scene, const std::vector<MaterialMesh>& meshes) {
+  const std::vector<double> depths = depths_m(scene, meshes);
+  if (depths.empty()) return {2e-6, 2};
+  const double farthest = *std::max_element(depths.begin(), depths.end());
+  const double nearest = *std::min_element(depths.begin(), depths.end());
+  return {2e-6 * std::min(farthest, 1000 * nearest), 2 * farthest};
+}
+
+// Mitsuba's look-at is right-handed as ours, so nothing is flipped. `fov` is along x by default.
+std::string sensor_text(const scene::Camera& camera, ClipDistances clip) {
   return fmt::format(
       "<sensor type=\"perspective\">\n"
       "  <float name=\"fov\" value=\"{}\"/><string name=\"fov_axis\" value=\"y\"/>\n"
@@ -62,26 +78,40 @@ std::string sensor_text(const scene::Camera& camera, double farthest) {
       "    <rfilter type=\"box\"/>\n"
       "  </film>\n"
       "</sensor>\n",
-      camera.fov_y_deg, 2e-6 * farthest, 2 * farthest, vector(camera.position_m), vector(camera.look_at_m),
+      camera.fov_y_deg, clip.near_m, clip.far_m, vector(camera.position_m), vector(camera.look_at_m),
       vector(camera.up), camera.width_px, camera.height_px);
 }
 
 // max_depth counts the segments of a path, one more than its scatterings. Russian roulette would only add
 // noise to paths of limited length, so it begins behind the last scattering; paths of unlimited length get
 // Mitsuba's default.
-std::string path_text(int trace_depth) {
+std::string path_text(int trace_depth, const std::string& blocks) {
   constexpr int kRouletteFrom = 5;
   const bool is_unlimited = trace_depth >= scene::kUnlimitedDepth;
   return fmt::format(
-      "<integrator type=\"path\"><integer name=\"max_depth\" value=\"{}\"/><integer name=\"rr_depth\" "
+      "<integrator type=\"path\">{}<integer name=\"max_depth\" value=\"{}\"/><integer name=\"rr_depth\" "
       "value=\"{}\"/></integrator>\n",
-      is_unlimited ? -1 : trace_depth + 1, is_unlimited ? kRouletteFrom : trace_depth + 1);
+      blocks, is_unlimited ? -1 : trace_depth + 1, is_unlimited ? kRouletteFrom : trace_depth + 1);
+}
+
+// Mitsuba seeds each pixel by its place in a square block, and takes smaller blocks for more threads. A size
+// that follows from the image alone gives the same image for any number: Mitsuba's own, 32, or what leaves 64
+// blocks to share among threads.
+std::string block_size_text(const scene::Camera& camera) {
+  const auto blocks = [&](int size) {
+    return ((camera.width_px + size - 1) / size) * ((camera.height_px + size - 1) / size);
+  };
+  int size = 32;
+  while (size > 1 && blocks(size) < 64) size /= 2;
+  return fmt::format("<integer name=\"block_size\" value=\"{}\"/>", size);
 }
 
 // The layers are named S0.R to S3.B, as ours.
 std::string integrator_text(const scene::Scene& scene) {
-  const std::string path = path_text(scene.trace_depth);
-  return scene.outputs.stokes ? fmt::format("<integrator type=\"stokes\">{}</integrator>\n", path) : path;
+  const std::string blocks = block_size_text(scene.camera);
+  if (!scene.outputs.stokes) return path_text(scene.trace_depth, blocks);
+  return fmt::format("<integrator type=\"stokes\">{}{}</integrator>\n", path_text(scene.trace_depth, ""),
+                     blocks);
 }
 
 // Mitsuba counts the texture rows of a PLY from the top, ORB.S from the bottom: v becomes 1 - v in the file,
@@ -103,7 +133,7 @@ class Writer {
   std::string write() {
     std::string text = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<scene version=\"3.0.0\">\n";
     text += "<default name=\"spp\" value=\"64\"/>\n<default name=\"seed\" value=\"0\"/>\n";
-    text += integrator_text(scene_) + sensor_text(scene_.camera, farthest_m(scene_, meshes_));
+    text += integrator_text(scene_) + sensor_text(scene_.camera, clip_distances(scene_, meshes_));
     if (scene_.environment != scene::RgbColour{})
       text += fmt::format("<emitter type=\"constant\">{}</emitter>\n",
                           colours_.radiance(scene_.environment, scene_.environment_spectrum));

@@ -15,6 +15,7 @@
 #include "scene/effects/effects.h"
 #include "scene/geometry/ply.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <numbers>
@@ -33,6 +34,24 @@ double fov_of_shorter_side_deg(const scene::Camera& camera) {
   if (camera.width_px >= camera.height_px) return camera.fov_y_deg;
   const double half_height = std::tan(camera.fov_y_deg * std::numbers::pi / 360);
   return 360 / std::numbers::pi * std::atan(half_height * camera.width_px / camera.height_px);
+}
+
+// pbrt moves the world so that its origin is the camera. Floats then resolve the objects before a distant
+// camera no better than its distance, and the image moves by parts of a pixel and more. Beyond 16 times the
+// reach of the scene from its own origin, which takes four of 24 bits, pbrt is told to leave the world where
+// it is.
+std::string frame_text(const scene::Scene& scene, const std::vector<MaterialMesh>& meshes) {
+  double reach_m = 0;
+  const auto meet = [&](Vec3d point, double radius_m) {
+    reach_m = std::max(reach_m, length(point) + radius_m);
+  };
+  for (const MaterialMesh& shown : meshes)
+    for (const Mat4& place : shown.places)
+      for (const Vec3f p : shown.mesh.positions) meet(transform_point(place, cast<double>(p)), 0);
+  for (const scene::Light& light : scene.lights)
+    meet(transform_point(light.matrix, {}),
+         length(transform_direction(light.matrix, half_size(light.shape))));
+  return length(scene.camera.position_m) > 16 * reach_m ? "Option \"rendercoordsys\" \"world\"\n" : "";
 }
 
 // pbrt's camera space is left-handed: the mirrored x makes a right-handed image. With texture filtering off,
@@ -64,7 +83,8 @@ class Writer {
       : scene_(scene), colours_(scene), folder_(file.parent_path()), stem_(file.stem().string()) {}
 
   std::string write() {
-    std::string text = head_text(scene_, colours_.is_spectral);
+    const auto meshes = material_meshes(scene_);
+    std::string text = frame_text(scene_, meshes) + head_text(scene_, colours_.is_spectral);
     if (scene_.environment != scene::RgbColour{})
       text += fmt::format("LightSource \"infinite\" {}\n",
                           colours_.radiance(scene_.environment, scene_.environment_spectrum));
@@ -73,7 +93,6 @@ class Writer {
         write_tinted_channels(scene_, index, folder_, stem_);
       text += pbrt::material_text(colours_, index, stem_);
     }
-    const auto meshes = material_meshes(scene_);
     for (std::size_t i = 0; i < meshes.size(); ++i) text += mesh_text(meshes[i], i);
     for (const scene::Light& light : scene_.lights) text += pbrt::light_text(colours_, light);
     return text;
