@@ -98,12 +98,22 @@ std::string sentence_of(const Count& count, const std::vector<TroubleGroup>& gro
   return text;
 }
 
-// Two diagnoses of one fault differ in their numbers: "shifted by (2, 1) px: then 60.2 dB".
+// Two diagnoses of one fault differ in their numbers, of which pi is one: "shifted by (2, 1) px: then 60.2
+// dB".
 std::string without_numbers(const std::string& text) {
   std::string out;
   for (const char c : text.substr(0, text.find(": then")))
     if (std::isdigit(static_cast<unsigned char>(c)) == 0 && c != '.' && c != '-') out += c;
-  return out;
+  const auto pi = out.rfind(" pi");
+  return pi != std::string::npos && pi + 3 == out.size() ? out.substr(0, pi + 1) : out;
+}
+
+// The text that most of the group's targets have, the first of several.
+std::string usual_text(const std::vector<std::string>& texts) {
+  std::map<std::string, int> counts;
+  for (const auto& text : texts) ++counts[text];
+  return *std::max_element(texts.begin(), texts.end(),
+                           [&](const auto& a, const auto& b) { return counts[a] < counts[b]; });
 }
 
 // "undecided: its noise: about 4 times the samples would decide it; R is ..." by its second part.
@@ -147,6 +157,7 @@ int rank_of(const TroubleGroup& group) {
 
 std::vector<TroubleGroup> groups_of(const RunRecord& run, const std::string& renderer) {
   std::vector<TroubleGroup> groups;
+  std::vector<std::vector<std::string>> texts;  // of each group
   std::map<std::pair<std::string, std::string>, std::size_t> index;
   for (std::size_t i = 0; i < run.targets.size(); ++i) {
     const auto& target = run.targets[i];
@@ -157,9 +168,14 @@ std::vector<TroubleGroup> groups_of(const RunRecord& run, const std::string& ren
     auto group = group_of(target);
     const auto [at, is_new] = index.try_emplace(
         {group.state, group.is_diagnosis ? without_numbers(group.what) : group.what}, groups.size());
-    if (is_new) groups.push_back(std::move(group));
+    if (is_new) {
+      groups.push_back(group);
+      texts.emplace_back();
+    }
     groups[at->second].targets.push_back(i);
+    texts[at->second].push_back(group.what);
   }
+  for (std::size_t i = 0; i < groups.size(); ++i) groups[i].what = usual_text(texts[i]);
   std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) {
     return std::pair(rank_of(a), b.targets.size()) < std::pair(rank_of(b), a.targets.size());
   });
@@ -206,7 +222,7 @@ std::optional<NoiseCost> cost_beside(const std::map<std::string, double>& own,
                    logs.size()};
 }
 
-// All are compared with the first renderer whose renders say something.
+// All are compared with the first renderer whose renders say something. What a wrong image costs is no news.
 void add_costs(const RunRecord& run, std::vector<ReportCard>& cards) {
   const auto jobs = jobs_by_id(run);
   std::vector<std::map<std::string, double>> works;
@@ -216,7 +232,7 @@ void add_costs(const RunRecord& run, std::vector<ReportCard>& cards) {
   if (base == works.end()) return;
   const auto at = static_cast<std::size_t>(base - works.begin());
   for (std::size_t i = at + 1; i < cards.size(); ++i)
-    cards[i].cost = cost_beside(works[i], *base, cards[at].renderer);
+    if (cards[i].standing != "wrong") cards[i].cost = cost_beside(works[i], *base, cards[at].renderer);
 }
 
 }  // namespace

@@ -57,13 +57,14 @@ TEST(ReportCard, ARightRendererIsRight) {
 // The numbers of the fault differ from image to image.
 TEST(ReportCard, FailuresAreGroupedByTheirDiagnosis) {
   const auto card =
-      card_of({judged("a", Verdict::Fail, "3.14 times as bright: then 60.1 dB"),
-               judged("b", Verdict::Fail, "3.142 times as bright: then 58 dB"),
+      card_of({judged("a", Verdict::Fail, "multiplied by 3.14: then 60.1 dB"),
+               judged("b", Verdict::Fail, "multiplied by pi: then 58 dB"),
+               judged("e", Verdict::Fail, "multiplied by pi: then 59 dB"),
                judged("c", Verdict::Fail, std::string(kNoUsualFault)), judged("d", Verdict::Pass)});
   EXPECT_EQ(card.standing, "wrong");
-  EXPECT_EQ(card.sentence, "wrong in 3 of 4 targets: in 2 of them 3.14 times as bright");
+  EXPECT_EQ(card.sentence, "wrong in 4 of 5 targets: in 3 of them multiplied by pi");
   ASSERT_EQ(card.groups.size(), 2U);
-  EXPECT_EQ(card.groups[0].targets, (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(card.groups[0].targets, (std::vector<std::size_t>{0, 1, 2}));
   EXPECT_TRUE(card.groups[0].is_diagnosis);
   EXPECT_EQ(card.groups[1].what, kNoUsualFault);
 }
