@@ -1,10 +1,12 @@
 #include "judge/gate.h"
 
 #include "base/error.h"
+#include "base/statistics.h"
 #include "base/two_digits.h"
 #include "judge/noise.h"
 #include "judge/sequential.h"
 #include "metrics/describe.h"
+#include "metrics/rare_light.h"
 #include "metrics/residual.h"
 #include "metrics/table.h"
 
@@ -162,6 +164,10 @@ using results::Verdict;
 
 namespace {
 
+double pixels_of(const Rectangle& region) {
+  return static_cast<double>(region.x1 - region.x0) * (region.y1 - region.y0);
+}
+
 std::array<double, 3> mean_of_region(const image::Image& image, const Rectangle& region) {
   std::array<double, 3> sum{};
   const std::array<int, 3> channels{image::channel_index(image, "R"), image::channel_index(image, "G"),
@@ -170,7 +176,7 @@ std::array<double, 3> mean_of_region(const image::Image& image, const Rectangle&
     for (int x = region.x0; x < region.x1; ++x)
       for (std::size_t c = 0; c < 3; ++c)
         sum.at(c) += static_cast<double>(image.at(x, y, static_cast<std::size_t>(channels.at(c))));
-  const double count = static_cast<double>(region.x1 - region.x0) * (region.y1 - region.y0);
+  const double count = pixels_of(region);
   for (auto& value : sum) value /= count;
   return sum;
 }
@@ -202,22 +208,58 @@ std::array<double, 3> standard_errors_by_scatter(const image::Image& image, cons
       add(x, y, x, y + 1);
     }
   if (!(steps > 0)) return errors;
-  const double count = static_cast<double>(region.x1 - region.x0) * (region.y1 - region.y0);
+  const double count = pixels_of(region);
   for (auto& error : errors) error = std::sqrt(error / steps / count);
   return errors;
 }
 
-// Of the region's mean, as the noise of pixels is independent.
+// Of the region's sum, as the noise of pixels is independent.
+std::array<metrics::PooledVariance, 3> noise_of_region(const std::vector<float>& variances,
+                                                       int width,
+                                                       const Rectangle& region) {
+  std::array<metrics::PooledVariance, 3> noise{};
+  for (int y = region.y0; y < region.y1; ++y)
+    for (int x = region.x0; x < region.x1; ++x)
+      for (std::size_t c = 0; c < 3; ++c)
+        noise.at(c).add(metrics::variance_at(variances, 3 * static_cast<std::size_t>(y * width + x) + c));
+  return noise;
+}
+
+// Of the region's mean.
 std::array<double, 3> standard_errors_of_region(const image::Image& image, const Rectangle& region) {
   if (!states_noise(image)) return standard_errors_by_scatter(image, region);
   std::array<double, 3> errors{};
-  const auto variance = image::select_rgb(image, "variance.");
-  for (int y = region.y0; y < region.y1; ++y)
-    for (int x = region.x0; x < region.x1; ++x)
-      for (std::size_t c = 0; c < 3; ++c) errors.at(c) += static_cast<double>(variance.at(x, y, c));
-  const double count = static_cast<double>(region.x1 - region.x0) * (region.y1 - region.y0);
-  for (auto& error : errors) error = std::sqrt(error) / count;
+  const auto noise = noise_of_region(image::select_rgb(image, "variance.").pixels, image.width, region);
+  for (std::size_t c = 0; c < 3; ++c) errors.at(c) = std::sqrt(noise.at(c).sum) / pixels_of(region);
   return errors;
+}
+
+// How far noise may have moved the mean up and down: the standard errors of the check with the degrees of
+// freedom that the region's few pixels have (noise_test.h), and down what the region may lack because no
+// sample has found it (rare_light.h).
+struct ReachOfRegion {
+  std::array<double, 3> up{};
+  std::array<double, 3> down{};
+};
+
+ReachOfRegion reach_of_region(const registry::PixelCheck& check, const image::Image& image) {
+  constexpr double kNormal = 1e9;  // degrees of freedom
+  ReachOfRegion reach;
+  const auto errors = standard_errors_of_region(image, check.region);
+  for (std::size_t c = 0; c < 3; ++c) reach.up.at(c) = check.standard_errors * errors.at(c);
+  reach.down = reach.up;
+  if (!(check.standard_errors > 0) || !states_noise(image)) return reach;
+  const auto variances = image::select_rgb(image, "variance.").pixels;
+  const auto noise = noise_of_region(variances, image.width, check.region);
+  const auto hits = metrics::hit_size(variances, {});
+  const double outside = student_tail(check.standard_errors, kNormal);
+  for (std::size_t c = 0; c < 3; ++c) {
+    reach.up.at(c) = student_quantile(outside, noise.at(c).degrees()) * errors.at(c);
+    const double unseen = metrics::unseen_light(hits.at(c), noise.at(c), outside / 2);
+    reach.down.at(c) =
+        unseen > 0 ? std::max(reach.down.at(c), unseen / pixels_of(check.region)) : reach.up.at(c);
+  }
+  return reach;
 }
 
 // Samples that all were black have no scatter, and a standard error of 0 claims what they cannot know: light
@@ -257,11 +299,12 @@ Check check_pixels(const registry::PixelCheck& check, const image::Image& image)
 
 Verdict verdict_of_missed_check(const registry::PixelCheck& check, const image::Image& image) {
   const auto mean = mean_of_region(image, check.region);
-  const auto errors = standard_errors_of_region(image, check.region);
   if (is_black_by_chance(check, image)) return Verdict::Inconclusive;
-  for (std::size_t c = 0; c < 3; ++c)
-    if (std::fabs(mean.at(c) - check.expected.at(c)) - check.standard_errors * errors.at(c) > check.tolerance)
-      return Verdict::Fail;
+  const auto reach = reach_of_region(check, image);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double off = mean.at(c) - check.expected.at(c);
+    if (std::fabs(off) - (off < 0 ? reach.down : reach.up).at(c) > check.tolerance) return Verdict::Fail;
+  }
   return Verdict::Inconclusive;
 }
 

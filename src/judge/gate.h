@@ -26,9 +26,10 @@ void refuse_unknown_metrics(const registry::Case& one_case);
 /// image holds the region.
 results::Check check_pixels(const registry::PixelCheck& check, const image::Image& image);
 
-/// Of a check that was measured and has not passed: Fail, or Inconclusive where as many standard errors as
-/// the check allows could have moved the mean so far. Inconclusive, too, where light is expected and an image
-/// that states its noise is black with none: no sample has met the light.
+/// Of a check that was measured and has not passed: Fail, or Inconclusive where noise could have moved the
+/// mean so far: as many standard errors as the check allows, with the degrees of freedom of the region's
+/// pixels, or light that its samples may have missed (metrics/rare_light.h). Inconclusive, too, where light
+/// is expected and an image that states its noise is black with none: no sample has met the light.
 results::Verdict verdict_of_missed_check(const registry::PixelCheck& check, const image::Image& image);
 
 /// How far the mean is off, in tolerances; infinite where none is given.

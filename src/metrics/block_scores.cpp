@@ -2,6 +2,7 @@
 
 #include "base/nth.h"
 #include "base/statistics.h"
+#include "metrics/rare_light.h"
 
 #include <algorithm>
 #include <array>
@@ -169,7 +170,20 @@ void note_largest(const Block& block, std::size_t channel, double z, std::size_t
   scores.largest_at = scale;
 }
 
-BlockScale score_scale(const BlockGrid& grid, std::size_t scale, double rate, BlockScores& scores) {
+// Of a right image to be farther off. A block that is too dark may lack light that no sample has found.
+double probability_of(const PairSamples& samples,
+                      const Block& block,
+                      std::size_t channel,
+                      const Score& score) {
+  const double by_noise = student_tail(score.z, score.degrees);
+  const double difference = block.channels.at(channel).difference;
+  if (difference >= 0) return by_noise;
+  const double unseen = unseen_light(samples, block.where, channel, std::exp(-1));  // one hit
+  return unseen > 0 ? std::max(by_noise, std::exp(difference / unseen)) : by_noise;
+}
+
+BlockScale score_scale(
+    const PairSamples& samples, const BlockGrid& grid, std::size_t scale, double rate, BlockScores& scores) {
   constexpr double kWorthATest =
       3;  // below, no t has a probability under 0.0027, and no finding is above the rate
   BlockScale result{kTestedBlocks_px.at(scale), 0, 0, {}};
@@ -181,7 +195,7 @@ BlockScale score_scale(const BlockGrid& grid, std::size_t scale, double rate, Bl
     for (std::size_t c = 0; c < 3; ++c) {
       findings.push_back(test_channel(block.channels.at(c)));
       const Score& one = findings.back().score;
-      if (one.z > kWorthATest) probabilities.push_back(student_tail(one.z, one.degrees));
+      if (one.z > kWorthATest) probabilities.push_back(probability_of(samples, block, c, one));
       note_largest(block, c, one.z, scale, scores);
     }
   }
@@ -198,8 +212,8 @@ BlockScores score_blocks(const PairSamples& samples, double false_alarms) {
   BlockGrid grid = sum_blocks(samples);
   for (std::size_t scale = 0; scale < kTestedBlocks_px.size(); ++scale) {
     if (scale > 0) grid = merge_blocks(grid);
-    scores.scales.at(scale) =
-        score_scale(grid, scale, false_alarms / static_cast<double>(kTestedBlocks_px.size()), scores);
+    scores.scales.at(scale) = score_scale(
+        samples, grid, scale, false_alarms / static_cast<double>(kTestedBlocks_px.size()), scores);
     scores.tested += scores.scales.at(scale).tested;
     scores.off += scores.scales.at(scale).off;
   }

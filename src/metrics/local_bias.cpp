@@ -2,6 +2,7 @@
 
 #include "base/statistics.h"
 #include "metrics/describe.h"
+#include "metrics/rare_light.h"
 #include "metrics/worst_tile.h"
 
 #include <algorithm>
@@ -51,6 +52,7 @@ double seen_error(const Sums& tile) {
 // How many standard errors are certain, and how many a pass must keep within the limit.
 struct Reaches {
   double certain = 5;
+  double outside = 2.9e-7;  // the probability of more than `certain` on one side
   double to_pass = 0;
 };
 
@@ -60,7 +62,8 @@ Reaches reaches_of(const PairSamples& samples) {
   constexpr double kPixelsOfATile = worst_tile::kSize_px * worst_tile::kSize_px;
   if (samples.looks == 1) return {};
   const double tests = 3.0 * tiles_along(samples.width) * tiles_along(samples.height);
-  return {student_quantile(2 * kWrongFails / (samples.looks * tests), kPixelsOfATile - 1),
+  const double outside = kWrongFails / (samples.looks * tests);
+  return {student_quantile(2 * outside, kPixelsOfATile - 1), outside,
           student_quantile(2 * kWrongPasses / samples.looks, kPixelsOfATile - 1)};
 }
 
@@ -83,7 +86,9 @@ void find_worst_tile(const PairSamples& samples,
       const double off = std::fabs(tile.difference / tile.count);
       const double seen = seen_error(tile);
       const double error = std::max(seen, std::sqrt(tile.expected) / tile.count);
-      const double value = std::max(0.0, off - reaches.certain * error) / scale;
+      const double unseen =
+          tile.difference < 0 ? unseen_light(samples, where, channel, reaches.outside) / tile.count : 0;
+      const double value = std::max(0.0, off - std::max(reaches.certain * error, unseen)) / scale;
       const double largest = std::max(worst ? worst->largest : 0, (off + reaches.to_pass * error) / scale);
       if (!worst || value > worst->value) worst = {value, where};
       worst->largest = largest;

@@ -1,5 +1,7 @@
 #include "metrics/pair_samples.h"
 
+#include "metrics/rare_light.h"
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -105,6 +107,7 @@ PairSamples pair_samples(const image::Image& result,
   samples.result_variance = variances_of(result);
   if (samples.result_variance.empty()) samples.noise_source = NoiseSource::Scatter;
   set_variance_ratio(samples);
+  samples.hit_size = hit_size(samples.result_variance, samples.included);
   samples.seen_variance_ratio = samples.variance_ratio;
   return samples;
 }

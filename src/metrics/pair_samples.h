@@ -39,6 +39,8 @@ struct PairSamples {
   std::array<double, 3> variance_ratio{};
   /// The same without what the numbers of samples say, see count_samples.
   std::array<double, 3> seen_variance_ratio{};
+  /// What one of the hits brings that carry the result's noise, see rare_light.h.
+  std::array<double, 3> hit_size{};
   /// How often the image may be looked at while it gets samples, see docs/understand/verdicts.md: the looks
   /// share the false alarms of every test evenly (Bonferroni).
   int looks = 1;

@@ -1,6 +1,7 @@
 #include "metrics/window_error.h"
 
 #include "base/statistics.h"
+#include "metrics/rare_light.h"
 
 #include <algorithm>
 #include <array>
@@ -196,6 +197,8 @@ class Reach {
  public:
   explicit Reach(double false_alarms) : false_alarms_(false_alarms) {}
 
+  double false_alarms() const { return false_alarms_; }
+
   double of(const PooledVariance& variance) {
     const auto degrees = static_cast<std::size_t>(std::clamp(variance.degrees(), 1.0, kMost));
     return quantile(degrees) * std::sqrt(variance.sum);
@@ -241,6 +244,7 @@ struct WindowSearch {
   const PairSamples& samples;
   double least_scale;  // by what an error is measured at least
   Reach reach;
+  std::size_t channel = 0;  // that is looked at
   std::optional<WindowError> worst = std::nullopt;
 };
 
@@ -275,6 +279,13 @@ struct Candidates {
   }
 };
 
+// How far noise moves the sum over the window, and what it may lack besides where no sample found it.
+double reach_over(const WindowRow& windows, std::size_t i, const Rectangle& where, WindowSearch& search) {
+  const double reach = search.reach.of(noise_over(windows, i, search.samples.noise_source));
+  if (windows.of(Difference, i) >= 0) return reach;
+  return std::max(reach, unseen_light(search.samples, where, search.channel, search.reach.false_alarms()));
+}
+
 // The window's error replaces the worst where it is worse.
 void look_at(const WindowRow& windows, std::size_t i, const Rectangle& where, WindowSearch& search) {
   if (2 * windows.of(Count, i) < (where.x1 - where.x0) * (where.y1 - where.y0)) return;
@@ -282,7 +293,7 @@ void look_at(const WindowRow& windows, std::size_t i, const Rectangle& where, Wi
   const double scale = scale_of(windows, i, search.least_scale);
   const double off = off_by(windows, i);
   if (off <= search.worst->value * scale) return;
-  const double certain = off - search.reach.of(noise_over(windows, i, search.samples.noise_source));
+  const double certain = off - reach_over(windows, i, where, search);
   if (certain > search.worst->value * scale) search.worst = {certain / scale, where};
 }
 
@@ -327,6 +338,7 @@ WindowErrors window_errors(const PairSamples& samples) {
   auto px1 = no_cells(1, static_cast<std::size_t>(samples.width), static_cast<std::size_t>(samples.height));
   for (std::size_t channel = 0; channel < 3; ++channel) {
     set_pixels(samples, channel, px1);
+    for (auto& search : searches) search.channel = channel;
     const auto px2 = merged(px1, 2);
     look_everywhere(px1, searches[0]);
     look_everywhere(px2, searches[1]);

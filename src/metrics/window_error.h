@@ -12,7 +12,8 @@ namespace orbs::metrics {
 ///
 /// Of a window and channel it is |mean(result - reference)|, less
 /// - the reach of Student's interval, which leaves out a right image in one of 10,000 over all windows of one
-///   size together (Bonferroni), with the noise and its degrees of freedom as in noise_test.h;
+///   size together (Bonferroni), with the noise and its degrees of freedom as in noise_test.h; of a window
+///   that is too dark the light that its samples may have missed (rare_light.h), where that is more;
 /// - what edges make that lie 0.05 px from where they lie in the reference: 0.05 times the steps of the
 ///   reference to its neighbours. Antialiasing on a grid and rounded vertices move edges that much.
 ///

@@ -101,3 +101,22 @@ TEST(JudgeChecks, ABlackRegionIsNoProofThatLightIsMissing) {
   // What is not black has its noise.
   EXPECT_EQ(verdict_on(grey(0.0005F, 0.0F), 4).verdict, Verdict::Fail);
 }
+
+// Four pixels, one of which has been hit once, elsewhere hits of the same size: one more or less is no error.
+// Of hits that are a hundredth of it many would have to be missing.
+TEST(JudgeChecks, LightThatFewSamplesHaveFoundIsNoProof) {
+  const auto verdict_on = [](float hit, double expected) {
+    auto one_case = case_with_check(expected, 0.001, 4);
+    one_case.pixel_checks[0].region = {4, 4, 6, 6};
+    auto image = grey(0.1F, 0.0F);
+    for (const auto& [x, y] : {std::pair{4, 4}, {12, 3}, {9, 9}})
+      for (std::size_t c = 0; c < 3; ++c) {
+        image.at(x, y, c) += hit;
+        image.at(x, y, static_cast<std::size_t>(image::channel_index(image, "variance.R")) + c) = hit * hit;
+      }
+    return judged_alone(one_case, image).verdict;
+  };
+  EXPECT_EQ(verdict_on(0.2F, 0.35), Verdict::Inconclusive) << "too dark by one hit in a pixel";
+  EXPECT_EQ(verdict_on(0.2F, 0.1), Verdict::Inconclusive) << "too bright by a quarter of a hit";
+  EXPECT_EQ(verdict_on(0.002F, 0.35), Verdict::Fail);
+}

@@ -43,6 +43,22 @@ metrics::WindowErrors errors_of(const image::Image& result, const image::Image& 
   return metrics::window_errors(metrics::pair_samples(result, reference));
 }
 
+// Grey 0.5, all of which comes in hits: one of them adds `hit` to its pixel, and its square to the variance.
+image::Image of_rare_light(int side_px, float hit, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  std::poisson_distribution<int> hits(0.5 / static_cast<double>(hit));
+  auto image = with_variance(constant_image(side_px, side_px, 0), 0);
+  for (int y = 0; y < side_px; ++y)
+    for (int x = 0; x < side_px; ++x) {
+      const auto count = static_cast<float>(hits(random));
+      for (std::size_t c = 0; c < 3; ++c) {
+        image.at(x, y, c) = count * hit;
+        image.at(x, y, c + 3) = count * hit * hit;
+      }
+    }
+  return image;
+}
+
 constexpr std::size_t k8 = 0;
 constexpr std::size_t k16 = 1;
 constexpr std::size_t k64 = 2;
@@ -127,4 +143,37 @@ TEST(WindowError, MaskedPixelsDoNotCount) {
   const auto errors = metrics::window_errors(
       metrics::pair_samples(result, constant_image(64, 64, 0.25F), {{{16, 16, 32, 32}}, {}}));
   for (const auto& error : errors) EXPECT_EQ(error->value, 0);
+}
+
+// A window is expected to see 1.1 to 8 hits, so that a few to most windows of the image see none and are
+// black without noise.
+TEST(WindowError, LightThatNoSampleHasFoundIsNone) {
+  const auto reference = with_variance(constant_image(64, 64, 0.5F), 0);
+  for (const float hit : {4.0F, 10.0F, 30.0F})
+    for (std::uint32_t seed = 0; seed < 50; ++seed)
+      for (const auto& error : errors_of(of_rare_light(64, hit, seed), reference))
+        EXPECT_EQ(error->value, 0) << hit << ' ' << seed;
+}
+
+// The light of the others comes in hits of 0.01, of which the black window lacks 3200.
+TEST(WindowError, ABlackWindowThatLacksManyHitsIsOne) {
+  auto result = of_rare_light(64, 0.01F, 1);
+  for (int y = 16; y < 24; ++y)
+    for (int x = 24; x < 32; ++x)
+      for (std::size_t c = 0; c < 6; ++c) result.at(x, y, c) = 0;
+  EXPECT_GT(errors_of(result, with_variance(constant_image(64, 64, 0.5F), 0))[k8]->value, 0.9);
+}
+
+// Fireflies elsewhere do not excuse a window whose pixels all have noise.
+TEST(WindowError, AWindowThatKnowsItsNoiseIsNotExcused) {
+  auto result = constant_image(64, 64, 0.5F);
+  add_noise(result, 0.01F, 1);
+  result = with_variance(result, 0.0001F);
+  for (int i = 0; i < 5; ++i)
+    for (std::size_t c = 0; c < 3; ++c) {
+      result.at(50, 10 * i, c) = 20;
+      result.at(50, 10 * i, c + 3) = 400;
+    }
+  multiply(result, {16, 16, 32, 32}, 0.9F);
+  EXPECT_GT(errors_of(result, with_variance(constant_image(64, 64, 0.5F), 0))[k16]->value, 0.09);
 }
