@@ -188,6 +188,16 @@ RunComparison compare_runs(const results::RunRecord& before, const results::RunR
   return comparison;
 }
 
+results::RunRecord with_renderer(results::RunRecord run, const std::string& renderer, const std::string& as) {
+  std::erase_if(run.renderers, [&](const auto& one) { return one.name != renderer; });
+  std::erase_if(run.targets, [&](const auto& one) { return one.renderer != renderer; });
+  std::erase_if(run.jobs, [&](const auto& one) { return one.identity.renderer != renderer; });
+  for (auto& one : run.renderers) one.name = as;
+  for (auto& one : run.targets) one.renderer = as;
+  for (auto& one : run.jobs) one.identity.renderer = as;
+  return run;
+}
+
 int exit_status(const RunComparison& comparison) {
   return count_of(comparison, Direction::Worse) > 0 || !comparison.lost.empty() ? 1 : 0;
 }

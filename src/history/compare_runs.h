@@ -44,6 +44,9 @@ RunComparison compare_pairs(const RunPair& pair,
                             std::vector<Change> verdicts,
                             std::vector<std::vector<Candidate>> numbers);
 
+/// The run as if it had this renderer alone, under the name `as`: two renderers are compared like two runs.
+results::RunRecord with_renderer(results::RunRecord run, const std::string& renderer, const std::string& as);
+
 /// 1 if anything is worse or lost, else 0.
 int exit_status(const RunComparison& comparison);
 

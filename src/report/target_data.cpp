@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -44,6 +46,13 @@ std::vector<ImageFile> images_of(const TargetRecord& target) {
   for (const auto& map : target.maps)
     images.push_back({map.name, "map", map.image, map.definition, map.is_signed, map.scale_maximum});
   return images;
+}
+
+// The folder as a shell of the user reaches it: a server keeps it open, under a name of its own process.
+std::string folder_for_shell(const RunRecord& run) {
+  std::error_code failed;
+  const auto folder = std::filesystem::canonical(run.folder, failed);
+  return failed ? run.folder : folder.string();
 }
 
 // The command that renders and judges this target again, and no other.
@@ -87,7 +96,7 @@ TargetDetail target_detail(const RunView& view, std::size_t index) {
     auto& shown = detail.jobs.emplace_back(Job{job, log_tail(run, job.files.log)});
     auto& command = shown.record.program.shell;
     command = command.empty() ? shell_text(job.program.argv)
-                              : fmt::format("cd {} && {}", shell_text({run.folder}), command);
+                              : fmt::format("cd {} && {}", shell_text({folder_for_shell(run)}), command);
   }
   for (const auto& scene : run.scenes)
     if (std::any_of(detail.jobs.begin(), detail.jobs.end(),

@@ -100,6 +100,17 @@ std::string ServedRun::progress() {
   return report::progress_json(view_);
 }
 
+results::RunRecord ServedRun::record() {
+  const std::lock_guard lock(mutex_);
+  look();
+  return view_.run;
+}
+
+std::string ServedRun::suite_and_size() {
+  const std::lock_guard lock(mutex_);
+  return view_.run.suite + " " + view_.run.size;
+}
+
 std::uint64_t ServedRun::version() {
   const std::lock_guard lock(mutex_);
   look();

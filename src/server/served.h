@@ -37,6 +37,10 @@ class ServedRun {
   std::shared_ptr<const PackedText> overview();
   std::optional<std::string> target(std::size_t index);
   std::string progress();
+  /// A copy, to be compared with that of another run.
+  results::RunRecord record();
+  /// "orbs 1/4": only runs of the same suite and size are compared.
+  std::string suite_and_size();
 
   /// Grows whenever the run changes. Reads the folder at most once per `kPollInterval`.
   std::uint64_t version();

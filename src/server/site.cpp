@@ -5,6 +5,7 @@
 #include "base/files_inside.h"
 #include "base/nth.h"
 #include "base/text.h"
+#include "history/comparison_text.h"
 #include "image/image_io.h"
 #include "json/writer.h"
 #include "report/packed_image.h"
@@ -63,6 +64,8 @@ std::string runs_json(Site& site) {
     const auto& served = site.runs[i];
     out.begin_object().member("name", site.names[i]);
     const auto* study = std::get_if<std::unique_ptr<ServedStudy>>(&served);
+    const auto* run = std::get_if<std::unique_ptr<ServedRun>>(&served);
+    out.member("suite", run != nullptr ? (*run)->suite_and_size() : "");
     out.member("kind", study != nullptr ? (*study)->kind() : std::string_view("run"));
     out.member("started", std::visit([](const auto& one) { return std::string(one->started()); }, served));
     out.end_object();
@@ -138,6 +141,27 @@ void send_target(ServedRun& run,
   send_text(request, packed_text(*text), kJson, response);
 }
 
+// What `orbs compare-runs` says of two runs, or of one renderer of each.
+void send_comparison(Site& site,
+                     ServedRun& after,
+                     std::string_view name,
+                     const httplib::Request& request,
+                     httplib::Response& response) {
+  const auto number = to_integer(name.ends_with(".json") ? name.substr(0, name.size() - 5) : name);
+  const auto* const before = number && *number >= 0 && static_cast<std::size_t>(*number) < site.runs.size()
+                                 ? std::get_if<std::unique_ptr<ServedRun>>(&nth(site.runs, *number))
+                                 : nullptr;
+  if (before == nullptr) return refuse(response, 404, "there is no such run");
+  const auto old_renderer = request.get_param_value("ra");
+  const auto new_renderer = request.get_param_value("rb");
+  const bool is_of_one = !old_renderer.empty() && !new_renderer.empty();
+  const auto side = [&](ServedRun& run, const std::string& renderer) {
+    return is_of_one ? history::with_renderer(run.record(), renderer, new_renderer) : run.record();
+  };
+  const auto comparison = history::compare_runs(side(**before, old_renderer), side(after, new_renderer));
+  send_text(request, packed_text(history::comparison_json(comparison)), kJson, response);
+}
+
 // `path` without "/data/".
 void send_data(Site& site,
                const httplib::Request& request,
@@ -165,6 +189,7 @@ void send_data(Site& site,
   if (rest == "overview.json") return send_text(request, *run.overview(), kJson, response);
   if (rest == "events") return send_events(site.listeners, run, response);
   if (rest.starts_with("target/")) return send_target(run, request, after("target/"), response);
+  if (rest.starts_with("before/")) return send_comparison(site, run, after("before/"), request, response);
   refuse(response, 404, "there is nothing here");
 }
 

@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { changesOf, type Kind } from "../../web/src/compare/changes";
+import { kindsOfNumbers, type RunComparison } from "../../web/src/compare/statistics";
 import type { Overview } from "../../web/src/data/generated";
 
 const kStates = [
@@ -28,16 +29,14 @@ const runOf = (state: string, light: number, preliminary = [0]): Overview =>
     cells: { case: [0], target: [0], renderer: [0], state: [kStates.indexOf(state)], preliminary },
   }) as unknown as Overview;
 
-const kindOf = (before: Overview, after: Overview): Kind | undefined =>
-  changesOf(
-    { overview: before, renderer: "" },
-    { overview: after, renderer: "" },
-    "mean_ratio_r",
-  )[0]?.kind;
+const kindOf = (
+  before: Overview,
+  after: Overview,
+  kinds = kindsOfNumbers(undefined),
+): Kind | undefined =>
+  changesOf({ overview: before, renderer: "" }, { overview: after, renderer: "" }, kinds)[0]?.kind;
 
 const kindOfStates = (before: string, after: string) => kindOf(runOf(before, 0), runOf(after, 0));
-const kindOfLight = (before: number, after: number) =>
-  kindOf(runOf("fail", before), runOf("fail", after));
 
 test("a pass that is a known failure now is worse, and so is a known failure that is none", () => {
   assert.equal(kindOfStates("pass", "known"), "worse");
@@ -56,12 +55,20 @@ test("a pass that is a known failure now is worse, and so is a known failure tha
   assert.equal(kindOfStates("pass with remarks", "fail"), "worse");
 });
 
-test("an error of the other sign is not better", () => {
-  assert.equal(kindOfLight(0.051, -0.049), "worse");
-  assert.equal(kindOfLight(0.051, -0.011), "changed");
-  assert.equal(kindOfLight(0.051, 0.011), "better");
-  assert.equal(kindOfLight(0.051, 0.08), "worse");
-  assert.equal(kindOfLight(0.051, 0.051), "same");
+test("where the verdict stays, a test against noise says what the numbers did", () => {
+  const comparison = {
+    changes: [
+      { direction: "worse", quantity: "light", renderer: "r", target: "101" },
+      { direction: "better", quantity: "error", renderer: "r", target: "101" },
+      { direction: "better", quantity: "time", renderer: "r", target: "102" },
+    ],
+  } as unknown as RunComparison;
+  const kinds = kindsOfNumbers(comparison);
+  assert.equal(kinds("r", "101"), "worse");
+  assert.equal(kinds("r", "102"), "same");
+  assert.equal(kindOf(runOf("fail", 0.051), runOf("fail", 0.049), kinds), "worse");
+  assert.equal(kindOf(runOf("fail", 0.051), runOf("fail", 0.9)), "same");
+  assert.equal(kindOf(runOf("fail", 0.051), runOf("pass", 0.049), kinds), "better");
 });
 
 test("a preliminary verdict is compared with nothing", () => {

@@ -116,22 +116,3 @@ test("targets that were not rendered are neither better nor worse", async () => 
     assert.doesNotMatch(text, /waiting|running|skipped/);
   await page.close();
 });
-
-test("a signed value that changed its sign is worse", async () => {
-  const { page } = await open(session.browser, "about:blank");
-  await changeOverview(
-    page,
-    ({ measures }) => (measures["lean"] = measures["lean"]!.map((value) => value && -value)),
-    0,
-  );
-  await page.goto(`${session.url}#/compare?metric=lean`);
-  // Only targets whose state changed.
-  await page.locator("section[data-kind=better] tbody tr").first().waitFor();
-  assert.deepEqual(await page.locator("section[data-kind=better] tbody th").allInnerTexts(), [
-    "m1_values",
-  ]);
-  // As `orbs compare-runs` has it: an error of the other sign is another error.
-  const worse = await page.locator("section[data-kind=worse] tbody th").allInnerTexts();
-  assert.ok(worse.includes("e1_markup") && worse.includes("g1_verdict"), worse.join());
-  await page.close();
-});

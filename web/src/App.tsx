@@ -92,5 +92,12 @@ function View({ session, view }: { session: Session; view: string }) {
   if (view === "case") return <CasePage session={session} route={route} />;
   if (view === "charts") return <ChartsPage session={session} route={route} />;
   if (view === "compare") return <ComparePage session={session} route={route} />;
-  return <OverviewPage session={session} route={route} />;
+  return (
+    <>
+      {view === "" ? null : (
+        <p role="alert">The page has no view '{view}'. This is the overview.</p>
+      )}
+      <OverviewPage session={session} route={route} />
+    </>
+  );
 }

@@ -159,6 +159,7 @@ function Detail({ session, route, one, detail }: DetailProps) {
         route={route}
       />
       <div class="facts">
+        <Related session={session} detail={detail} />
         <Measures detail={detail} />
         <PathToVerdict session={session} detail={detail} />
         <section class="about">
@@ -174,7 +175,6 @@ function Detail({ session, route, one, detail }: DetailProps) {
             <p class="quiet">Smallest error that this gate detects: {one.smallest_error_seen}</p>
           ) : null}
         </section>
-        <Related session={session} detail={detail} />
         <Effects detail={detail} />
         <Cost detail={detail} />
         <Provenance session={session} detail={detail} />

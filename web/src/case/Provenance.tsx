@@ -41,34 +41,40 @@ export function Provenance({ session, detail }: { session: Session; detail: Targ
   return (
     <section class="provenance">
       <h2>Provenance</h2>
-      <div class="columns">
-        {detail.jobs.map((job) => (
+      <p>
+        {detail.jobs.map((job) => `${job.program.version}, ${samplesText(job)} samples`).join("; ")}
+      </p>
+      <details>
+        <summary>Machine, seeds, reference</summary>
+        <div class="columns">
+          {detail.jobs.map((job) => (
+            <Pairs
+              key={job.identity.id}
+              title={`Result: ${job.identity.scene}`}
+              pairs={[
+                ["program", job.program.version],
+                ["hand-written scene", job.files.native_scene],
+                ["samples per pixel", samplesText(job)],
+                [
+                  "seed",
+                  job.identity.seeds > 1
+                    ? `${job.identity.seed} to ${job.identity.seed + job.identity.seeds - 1}, averaged`
+                    : String(job.identity.seed),
+                ],
+                ["threads", String(job.program.threads)],
+                ["started", job.cost.started.replace("T", " ")],
+                ...(job.cost.host ? hostPairs(job.cost.host, job.cost.load) : []),
+                ["orbs", run.orbs_version],
+                ["job", job.identity.id],
+              ]}
+            />
+          ))}
           <Pairs
-            key={job.identity.id}
-            title={`Result: ${job.identity.scene}`}
-            pairs={[
-              ["program", job.program.version],
-              ["hand-written scene", job.files.native_scene],
-              ["samples per pixel", samplesText(job)],
-              [
-                "seed",
-                job.identity.seeds > 1
-                  ? `${job.identity.seed} to ${job.identity.seed + job.identity.seeds - 1}, averaged`
-                  : String(job.identity.seed),
-              ],
-              ["threads", String(job.program.threads)],
-              ["started", job.cost.started.replace("T", " ")],
-              ...(job.cost.host ? hostPairs(job.cost.host, job.cost.load) : []),
-              ["orbs", run.orbs_version],
-              ["job", job.identity.id],
-            ]}
+            title="Reference"
+            pairs={[...Object.entries(detail.reference_provenance), ["file", detail.reference]]}
           />
-        ))}
-        <Pairs
-          title="Reference"
-          pairs={[...Object.entries(detail.reference_provenance), ["file", detail.reference]]}
-        />
-      </div>
+        </div>
+      </details>
     </section>
   );
 }

@@ -157,14 +157,22 @@ export function Related({ session, detail }: Props) {
   return (
     <section class="related">
       <h2>What else is known</h2>
-      {withTarget ? <CostPart found={withTarget} target={indexIn(withTarget)} /> : null}
-      {said ? (
-        <p>
-          In the suite, {detail.renderer}: {said}.
-        </p>
-      ) : null}
-      {stays ? <StabilityPart found={stays} renderer={detail.renderer} /> : null}
-      <HistoryPart session={session} detail={detail} />
+      <div class="parts">
+        {withTarget ? (
+          <div>
+            <CostPart found={withTarget} target={indexIn(withTarget)} />
+            {said ? (
+              <p>
+                In the suite, {detail.renderer}: {said}.
+              </p>
+            ) : null}
+          </div>
+        ) : null}
+        <div>
+          {stays ? <StabilityPart found={stays} renderer={detail.renderer} /> : null}
+          <HistoryPart session={session} detail={detail} />
+        </div>
+      </div>
       {isAlone ? (
         <p class="quiet">
           This page holds the run alone. `orbs serve` in the folder of the runs also shows the

@@ -1,12 +1,15 @@
 import { useMemo } from "preact/hooks";
 import { NoSuchRun } from "../common/NoSuchRun";
+import { useRequest, type Received } from "../common/request";
 import { namesOf, type Session } from "../common/session";
 import type { Overview } from "../data/generated";
 import { cellLink } from "../overview/Grid";
 import { note, parseRoute, routeText, type Route } from "../route";
 import { ChangeTable, kKinds, TimeLine, type SideNames } from "./ChangeTable";
 import { changesOf, type Change } from "./changes";
+import { Numbers } from "./Numbers";
 import { settingsThatDiffer } from "./settings";
+import { kindsOfNumbers, type RunComparison } from "./statistics";
 import { useSides, type ChosenSide, type Sides } from "./use_sides";
 
 interface SideChoiceProps {
@@ -77,9 +80,22 @@ function pairLink(
   return routeText({ path, query: { ...query, more: other, b: other, img: "difference" } });
 }
 
+/** What the server says of the numbers of both sides. */
+function useComparison({ source }: Session, { before, after }: Sides): Received<RunComparison> {
+  const names: [string, string] = [before.renderer, after.renderer];
+  return useRequest(
+    `${before.run} ${after.run} ${names.join(" ")}`,
+    "",
+    before.run < 0 || after.run < 0
+      ? undefined
+      : () => source.comparison(before.run, after.run, names),
+  );
+}
+
 /** The changes, once both sides are loaded. */
 function Compared({ session, sides: { before, after }, metric }: ComparedProps) {
   const [a, b] = [before.received.value, after.received.value];
+  const { value: comparison, problem } = useComparison(session, { before, after });
   const changes = useMemo(
     () =>
       a &&
@@ -87,11 +103,19 @@ function Compared({ session, sides: { before, after }, metric }: ComparedProps) 
       changesOf(
         { overview: a, renderer: before.renderer },
         { overview: b, renderer: after.renderer },
-        metric,
+        kindsOfNumbers(comparison),
       ),
-    [a, b, before.renderer, after.renderer, metric],
+    [a, b, before.renderer, after.renderer, comparison],
   );
   if (!a || !b || !changes) return null;
+  if (a.run.suite !== b.run.suite || a.run.size !== b.run.size)
+    return (
+      <p role="alert">
+        {session.source.runs[before.run]} is of suite {a.run.suite} at size {a.run.size},{" "}
+        {session.source.runs[after.run]} of suite {b.run.suite} at size {b.run.size}: only runs of
+        the same suite and size can be compared.
+      </p>
+    );
   const link =
     (run: number, overview: Overview) =>
     (cell: number): string =>
@@ -110,6 +134,10 @@ function Compared({ session, sides: { before, after }, metric }: ComparedProps) 
           The run before was started later ({a.run.started}) than the run after ({b.run.started}).
         </p>
       ) : null}
+      {comparison ? <Numbers comparison={comparison} /> : null}
+      {problem === undefined ? null : (
+        <p class="quiet">Verdicts alone are compared, no numbers: {problem}.</p>
+      )}
       <TimeLine a={a} b={b} changes={changes} />
       {kKinds.map((kind) => (
         <ChangeTable
@@ -173,7 +201,7 @@ export function ComparePage({ session, route }: { session: Session; route: Route
           rendererParam="rb"
         />
         <label>
-          by{" "}
+          show{" "}
           <select value={metric} onChange={(e) => note({ metric: e.currentTarget.value })}>
             {session.overview.metrics.map(({ name }) => (
               <option key={name}>{name}</option>

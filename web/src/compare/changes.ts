@@ -1,6 +1,7 @@
 import { isInfinite, isPreliminary, namesOf, stateOf, type CellNames } from "../common/session";
 import { isOpen } from "../common/states";
 import type { Overview } from "../data/generated";
+import type { NumberKinds } from "./statistics";
 
 /** "open" means not rendered, or not to its end, before or after, so that nothing can be compared. */
 export type Kind = "worse" | "better" | "changed" | "open" | "new" | "gone" | "same";
@@ -35,37 +36,21 @@ function kindOfStates(before: string, after: string, step: number): Kind {
   return step > 0 ? "worse" : "better";
 }
 
-// An error of the other sign is another error: worse, unless less than half of it is left.
-function kindOfSigned(old: number, now: number): Kind | undefined {
-  if (old * now >= 0) return undefined;
-  return Math.abs(now) < Math.abs(old) / 2 ? "changed" : "worse";
-}
-
-// A relative change of 1 % or less counts as none: another seed or machine causes as much.
-function kindOf(a: Overview, before: number, b: Overview, after: number, metric: string): Kind {
+// Where the verdicts are the same, what a test against noise says of the numbers.
+function kindOf(
+  a: Overview,
+  before: number,
+  b: Overview,
+  after: number,
+  ofNumbers: NumberKinds,
+): Kind {
   const [old, now] = [stateOf(a, before), stateOf(b, after)];
   if (!old || !now || isOpen(old) || isOpen(now)) return "open";
   if (isPreliminary(a, before) || isPreliminary(b, after)) return "open";
   const step = (b.cells.state[after] ?? 0) - (a.cells.state[before] ?? 0);
   const kind = kindOfStates(old.name, now.name, step);
-  return kind === "same"
-    ? kindOfValues(b, metric, valueOf(a, metric, before), valueOf(b, metric, after))
-    : kind;
-}
-
-function kindOfValues(
-  overview: Overview,
-  metric: string,
-  before: number | undefined,
-  after: number | undefined,
-): Kind {
-  if (before === undefined || after === undefined || before === after) return "same";
-  const known = overview.metrics.find((one) => one.name === metric);
-  const [old, now] = known?.signed ? [Math.abs(before), Math.abs(after)] : [before, after];
-  const limit = 0.01 * Math.abs(old);
-  if (Number.isFinite(old) && Math.abs(after - before) <= limit) return "same";
-  const other = known?.signed ? kindOfSigned(before, after) : undefined;
-  return other ?? (now > old === (known?.lower_is_better ?? false) ? "worse" : "better");
+  const { renderer, target } = namesOf(b, after);
+  return kind === "same" ? ofNumbers(renderer, target) : kind;
 }
 
 function byKey(
@@ -89,7 +74,7 @@ export interface Side {
 }
 
 /** The change of each target from one side to the other. */
-export function changesOf(a: Side, b: Side, metric: string): Change[] {
+export function changesOf(a: Side, b: Side, ofNumbers: NumberKinds): Change[] {
   const common = a.renderer && b.renderer ? "both" : "";
   const before = byKey(a.overview, a.renderer, common);
   const after = byKey(b.overview, b.renderer, common);
@@ -99,7 +84,7 @@ export function changesOf(a: Side, b: Side, metric: string): Change[] {
     changes.push(
       old
         ? {
-            kind: kindOf(a.overview, old.cell, b.overview, cell, metric),
+            kind: kindOf(a.overview, old.cell, b.overview, cell, ofNumbers),
             names,
             before: old.cell,
             after: cell,

@@ -28,11 +28,18 @@ function useOverview(session: Session, run: number): Received<Overview> {
   return own ? { value: session.overview } : received;
 }
 
-/** The two sides: of several runs the last two, of a single run its first two renderers. */
+/** The runs of the suite and size of the one that is shown, the newest first: no others can be compared. */
+function comparableRuns({ source, run }: Session): number[] {
+  return source.runs.flatMap((_, i) =>
+    source.kinds[i] === "run" && source.suites[i] === source.suites[run] ? [i] : [],
+  );
+}
+
+/** The two sides: of several runs the last two of a suite, of a single run its first two renderers. */
 export function useSides(session: Session, route: Route): Sides {
   const { source, overview } = session;
   // The newest run is the first, and the run before it the second.
-  const runs = source.runs.flatMap((_, i) => (source.kinds[i] === "run" ? [i] : []));
+  const runs = comparableRuns(session);
   const before = runNamed(source, route.query["before"], runs[1] ?? runs[0] ?? -1);
   const after = runNamed(source, route.query["after"], runs[0] ?? -1);
   useEffect(() => {

@@ -33,6 +33,7 @@ export function embeddedSource(): Source {
   return {
     runs: [overview.run.name],
     kinds: ["run"],
+    suites: [`${overview.run.suite} ${overview.run.size}`],
     isServed: false,
     overview: async () => overview,
     target: async (_run, index) => {
@@ -41,6 +42,7 @@ export function embeddedSource(): Source {
       if (!target) throw new Error("this run has no such target");
       return target;
     },
+    comparison: () => Promise.reject(new Error("this page is one file, 'orbs serve' tests them")),
     raster: (_run, file, layer) => raster(file, layer),
     // The floats are at hand: a second, smaller form of each image would make the file larger.
     preview: async (_run, file) => pngAddress(await raster(file, "")),

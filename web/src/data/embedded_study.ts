@@ -13,9 +13,11 @@ export function embeddedStudy(): Source {
   return {
     runs: [about.name],
     kinds: [about.kind],
+    suites: [""],
     isServed: false,
     overview: noRun,
     target: noRun,
+    comparison: noRun,
     raster: noRun,
     preview: noRun,
     study: async <K extends StudyKind>() => study as Studies[K],

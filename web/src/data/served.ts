@@ -1,3 +1,4 @@
+import type { RunComparison } from "../compare/statistics";
 import type { Studies } from "../studies";
 import { pngAddress } from "./display";
 import { decoded } from "./decoder";
@@ -25,7 +26,7 @@ const encoded = (path: string): string => path.split("/").map(encodeURIComponent
 
 export async function servedSource(): Promise<Source> {
   const { runs } = (await (await get("/data/runs.json")).json()) as {
-    runs: { name: string; kind: Kind }[];
+    runs: { name: string; kind: Kind; suite: string }[];
   };
   const fileAddress = (run: number, file: string): string => `/data/${run}/file/${encoded(file)}`;
   const raster = async (
@@ -41,6 +42,7 @@ export async function servedSource(): Promise<Source> {
   return {
     runs: runs.map((run) => run.name),
     kinds: runs.map((run) => run.kind),
+    suites: runs.map((run) => run.suite),
     isServed: true,
     overview: async (run) => {
       const overview = (await (await get(`/data/${run}/overview.json`)).json()) as Overview;
@@ -53,6 +55,11 @@ export async function servedSource(): Promise<Source> {
     },
     target: async (run, index) =>
       (await (await get(`/data/${run}/target/${index}.json`)).json()) as TargetDetail,
+    comparison: async (before, after, [ra, rb]) => {
+      const query = ra && rb ? `?${new URLSearchParams({ ra, rb }).toString()}` : "";
+      const response = await get(`/data/${after}/before/${before}.json${query}`);
+      return (await response.json()) as RunComparison;
+    },
     raster,
     study: async <K extends StudyKind>(kind: K, run: number) => {
       const file = kStudyKinds.find(({ name }) => name === kind)?.file ?? "";

@@ -1,3 +1,4 @@
+import type { RunComparison } from "../compare/statistics";
 import type { Studies } from "../studies";
 import { embeddedSource } from "./embedded";
 import { embeddedStudy } from "./embedded_study";
@@ -19,10 +20,14 @@ export interface Source {
   /** Names of the runs and studies; the page opens with the first. */
   runs: string[];
   kinds: Kind[];
+  /** Suite and size of each run, "" of a study: only runs of the same are compared. */
+  suites: string[];
   /** False for a page in one file, whose data never changes. */
   isServed: boolean;
   overview(run: number): Promise<Overview>;
   target(run: number, index: number): Promise<TargetDetail>;
+  /** What `orbs compare-runs` says of two runs, or of one renderer of each. */
+  comparison(before: number, after: number, renderers: [string, string]): Promise<RunComparison>;
   /** One layer of an image; rejects with an Error that says why. */
   raster(run: number, file: string, layer: string, signal: AbortSignal): Promise<Raster>;
   /** Address of a small picture of an image, as a display shows it. */
