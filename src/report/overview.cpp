@@ -155,7 +155,9 @@ void add_cells(const RunView& view, Overview& overview, Names& cases, Names& ren
     cells.states.push_back(state_of(target, view, jobs));
     cells.preliminary.push_back(is_preliminary(target, view, jobs) ? 1 : 0);
     cells.declared.push_back(target.declared ? 1 : 0);
-    cells.reasons.push_back(reasons.of(reason_text(target)));
+    // That the run ended before its turn is not true yet of what waits.
+    const bool is_open = cells.states.back() == kWaiting || cells.states.back() == kRunning;
+    cells.reasons.push_back(reasons.of(is_open ? "" : reason_text(target)));
     const auto image = std::filesystem::path(run.folder) / target.image;
     const bool has_thumbnail =
         !target.image.empty() && std::filesystem::exists(image.parent_path() / "result.png", ignored);

@@ -48,6 +48,16 @@ TEST(CompareRuns, OnePercentLessLightOfARendererIsFound) {
   EXPECT_EQ(found, 40);
 }
 
+// Two renderers of one run are compared like one renderer of two runs; the others are left out.
+TEST(CompareRuns, ARendererStandsForAnother) {
+  const auto run = made_up::run(1, {.renderers = 3, .light = 0.99});
+  const auto comparison =
+      history::compare_runs(history::with_renderer(run, "r1", "r0"), history::with_renderer(run, "r0", "r0"));
+  EXPECT_EQ(comparison.targets, 30U);
+  EXPECT_TRUE(has_change(comparison, Quantity::Light, Direction::Worse, "r0", ""));
+  for (const auto& change : comparison.changes) EXPECT_EQ(change.renderer, "r0");
+}
+
 TEST(CompareRuns, TenPercentMoreTimeOfARendererIsFound) {
   int found = 0;
   for (std::uint64_t pair = 0; pair < 40; ++pair) {

@@ -177,6 +177,18 @@ TEST(Diagnosis, SaysWhatPsnrIsLeft) {
   EXPECT_EQ(text.substr(0, 23), "multiplied by 2: then 4") << text;  // noise of 3 %
 }
 
+// With the fault undone it is the reference; the reference with the fault is the result.
+TEST(Diagnosis, HasAnImageThatShowsIt) {
+  const auto reference = painted(scene_at, 0);
+  const auto twice = painted([](int x, int y, std::size_t c) { return 2 * scene_at(x, y, c); }, 0);
+  const auto diagnosis = judge::diagnosed({twice, reference, {}, {}});
+  ASSERT_TRUE(diagnosis);
+  const auto& wanted = diagnosis->is_undone ? reference : twice;
+  ASSERT_EQ(diagnosis->proof.pixels.size(), wanted.pixels.size());
+  for (std::size_t i = 0; i < wanted.pixels.size(); ++i)
+    EXPECT_NEAR(diagnosis->proof.pixels[i], wanted.pixels[i], 1e-5F);
+}
+
 TEST(Diagnosis, LeavesOutMaskedPixels) {
   auto image = painted([](int x, int y, std::size_t c) { return 2 * scene_at(x, y, c); }, 2);
   for (int y = 0; y < 20; ++y)

@@ -286,6 +286,35 @@ TEST(PageData, AVerdictIsPreliminaryWhileItsRenderGoesOn) {
   EXPECT_TRUE(holds(text, R"("preliminary": [0])")) << text;
 }
 
+TEST(PageData, WhatWaitsHasNoReasonYet) {
+  results::RunView view;
+  view.run.folder = "/nowhere";
+  view.is_live = true;
+  view.states = {results::JobState::Waiting};
+  view.run.jobs.emplace_back().identity.id = "i";
+  auto& target = view.run.targets.emplace_back();
+  target.jobs = {"i"};
+  target.verdict = results::Verdict::Skipped;
+  target.reason = "the run ended before its turn";
+  EXPECT_EQ(report::overview_of(view).reasons, std::vector<std::string>{""});
+  view.is_live = false;
+  EXPECT_EQ(report::overview_of(view).reasons, std::vector<std::string>{target.reason});
+}
+
+// The image that shows a diagnosis stands between the reference and the maps.
+TEST(PageData, TheProofOfADiagnosisIsAnImageOfTheTarget) {
+  results::RunView view;
+  view.run.folder = "/nowhere";
+  auto& target = view.run.targets.emplace_back();
+  target.image = "r/101/result.exr";
+  EXPECT_EQ(report::target_detail(view, 0).images.size(), 1U);
+  target.proof = {"r/101/fault-undone.exr", true};
+  const auto images = report::target_detail(view, 0).images;
+  ASSERT_EQ(images.size(), 2U);
+  EXPECT_EQ(images[1].kind, "proof");
+  EXPECT_EQ(images[1].name, "fault undone");
+}
+
 // Somebody else's results.json may name any file of this machine.
 TEST(PageData, NamesOfFilesOutsideTheRunLeadNowhere) {
   const structure::TestFolder scratch("page-outside");
