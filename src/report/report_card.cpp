@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -64,23 +65,61 @@ std::string standing_of(const Count& count) {
   return count.known > 0 ? "known" : "right";
 }
 
+// The mean error of R, G and B together, where it is certain of all three that they are off to the same side.
+std::optional<double> certain_lightness(const TargetRecord& target) {
+  double sum = 0;
+  int darker = 0;
+  int brighter = 0;
+  for (const auto& measure : target.measures) {
+    if (measure.name.rfind("mean_ratio_", 0) != 0) continue;
+    sum += measure.value;
+    if (measure.high && *measure.high < 0) ++darker;
+    if (measure.low && *measure.low > 0) ++brighter;
+  }
+  return darker == 3 || brighter == 3 ? std::optional(sum / 3) : std::nullopt;
+}
+
+// ": too dark by 24 to 51 %", where all wrong images are.
+std::string lightness_text(const RunRecord& run, const std::string& renderer) {
+  constexpr double kPercent = 100;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const auto& target : run.targets) {
+    if (target.renderer != renderer || !target.declared ||
+        kind_of(target.verdict) != VerdictKind::WrongImage || target.expectation == Expectation::Known)
+      continue;
+    const auto off = certain_lightness(target);
+    if (!off) return "";
+    low = std::min(low, *off);
+    high = std::max(high, *off);
+  }
+  if (!(low * high > 0)) return "";
+  const auto [least, most] = std::minmax(std::fabs(low), std::fabs(high));
+  const auto by = fmt::format("{:.2g}", kPercent * least) == fmt::format("{:.2g}", kPercent * most)
+                      ? fmt::format("{:.2g}", kPercent * most)
+                      : fmt::format("{:.2g} to {:.2g}", kPercent * least, kPercent * most);
+  return fmt::format(": too {} by {} %", high < 0 ? "dark" : "bright", by);
+}
+
 // The first group with a diagnosis that holds at least half of what is wrong is the cause that leads.
-std::string cause_text(const std::vector<TroubleGroup>& groups, std::size_t wrong) {
+std::string cause_text(const RunRecord& run,
+                       const std::string& renderer,
+                       const std::vector<TroubleGroup>& groups,
+                       std::size_t wrong) {
   for (const auto& group : groups) {
     if (!group.is_diagnosis || group.state == results::kKnown || 2 * group.targets.size() < wrong) continue;
     if (group.targets.size() == wrong) return fmt::format(": {}", group.what);
     return fmt::format(": in {} of them {}", group.targets.size(), group.what);
   }
-  return "";
+  return lightness_text(run, renderer);
 }
 
-std::string sentence_of(const Count& count, const std::vector<TroubleGroup>& groups) {
+std::string sentence_of(const Count& count, const std::string& cause) {
   const auto all = targets_text(count.judged);
   if (count.judged == 0) return "nothing that it declares was asked of it";
   if (count.waiting == count.judged) return "nothing is judged yet";
   std::vector<std::string> parts;
-  if (count.wrong > 0)
-    parts.push_back(fmt::format("wrong in {} of {}{}", count.wrong, all, cause_text(groups, count.wrong)));
+  if (count.wrong > 0) parts.push_back(fmt::format("wrong in {} of {}{}", count.wrong, all, cause));
   if (count.no_image > 0) parts.push_back(fmt::format("no image of {} of {}", count.no_image, all));
   const bool is_wrong = !parts.empty();
   if (count.known > 0)
@@ -244,7 +283,7 @@ std::vector<ReportCard> report_cards(const RunRecord& run) {
     for (const auto& target : run.targets)
       if (target.renderer == renderer.name) add(target, count);
     ReportCard card{renderer.name, standing_of(count), "", groups_of(run, renderer.name), {}};
-    card.sentence = sentence_of(count, card.groups);
+    card.sentence = sentence_of(count, cause_text(run, renderer.name, card.groups, count.wrong));
     cards.push_back(std::move(card));
   }
   add_costs(run, cards);

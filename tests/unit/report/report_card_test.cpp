@@ -76,6 +76,20 @@ TEST(ReportCard, AFaultOfFewIsNoCauseOfAll) {
   EXPECT_EQ(card.sentence, "wrong in 3 of 3 targets");
 }
 
+// A missing lamp is no usual fault, but all images are too dark.
+TEST(ReportCard, WithoutADiagnosisItSaysHowMuchLightIsMissing) {
+  const auto darker = [](const std::string& name, double by) {
+    auto target = judged(name, Verdict::Fail, std::string(kNoUsualFault));
+    for (const char* channel : {"mean_ratio_r", "mean_ratio_g", "mean_ratio_b"})
+      target.measures.push_back({channel, -by, "1", "", false, true, -by - 0.01, -by + 0.01});
+    return target;
+  };
+  EXPECT_EQ(card_of({darker("a", 0.24), darker("b", 0.5)}).sentence,
+            "wrong in 2 of 2 targets: too dark by 24 to 50 %");
+  EXPECT_EQ(card_of({darker("a", 0.24), darker("b", -0.5)}).sentence, "wrong in 2 of 2 targets");
+  EXPECT_EQ(card_of({darker("a", 0.24), darker("b", 0.005)}).sentence, "wrong in 2 of 2 targets");
+}
+
 TEST(ReportCard, WhatIsKnownOrOpenIsSaidApart) {
   auto known = judged("a", Verdict::Fail);
   known.expectation = Expectation::Known;
