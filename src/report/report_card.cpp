@@ -94,7 +94,7 @@ std::string lightness_text(const RunRecord& run, const std::string& renderer) {
     high = std::max(high, *off);
   }
   if (!(low * high > 0)) return "";
-  const auto [least, most] = std::minmax(std::fabs(low), std::fabs(high));
+  const auto [least, most] = std::minmax({std::fabs(low), std::fabs(high)});
   const auto by = fmt::format("{:.2g}", kPercent * least) == fmt::format("{:.2g}", kPercent * most)
                       ? fmt::format("{:.2g}", kPercent * most)
                       : fmt::format("{:.2g} to {:.2g}", kPercent * least, kPercent * most);
