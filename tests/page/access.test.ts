@@ -20,9 +20,9 @@ interface Violation {
 const views: Record<string, { address: string; ready: string; image?: string }> = {
   overview: { address: "#/?by=target", ready: ".cell a" },
   gallery: { address: "#/?as=gallery&q=known", ready: ".picture img" },
-  target: { address: "#/case/m1_values/values/one", ready: ".readout", image: "result" },
+  target: { address: "#/case/m1_values/values/one?mode=flip", ready: ".readout", image: "result" },
   difference: {
-    address: "#/case/m1_values/values/one?more=two&b=two&img=difference",
+    address: "#/case/m1_values/values/one?mode=flip&more=two&b=two&img=difference",
     ready: ".legend",
     image: "difference",
   },

@@ -40,7 +40,7 @@ test("the overview of 10 000 cells creates only visible rows", async () => {
 test("a pair of 4096 x 4096 pixels can be used", async () => {
   const { page, errors } = await open(session.browser, "about:blank");
   page.setDefaultTimeout(120000);
-  await page.goto(`${session.url}#/case/m1_huge/huge/one?run=huge`);
+  await page.goto(`${session.url}#/case/m1_huge/huge/one?run=huge&mode=flip`);
   await drawn(page, "result");
   await page.getByText("100 pixels differ").waitFor();
   await page.keyboard.press("u");

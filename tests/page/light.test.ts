@@ -8,7 +8,7 @@ import { report } from "./runs";
 import { startSession } from "./session";
 
 const session = startSession("small");
-const values = "#/case/m1_values/values/one";
+const values = "#/case/m1_values/values/one?mode=flip";
 
 const previewed = (page: Page, name: string) =>
   page.waitForFunction(

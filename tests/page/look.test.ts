@@ -9,7 +9,7 @@ import { startSession } from "./session";
 
 const session = startSession("small", "before");
 
-const values = "#/case/m1_values/values/one";
+const values = "#/case/m1_values/values/one?mode=flip";
 
 const hashHas = (page: Page, part: string) =>
   page.waitForFunction((wanted) => decodeURIComponent(location.hash).includes(wanted), part);
@@ -21,7 +21,7 @@ const readout = (page: Page, name: string) =>
 test("another renderer and another run stand beside the image, and the address says so", async () => {
   const { page, errors } = await open(
     session.browser,
-    `${session.url}${values}?zoom=20&x=30.5&y=20.5`,
+    `${session.url}${values}&zoom=20&x=30.5&y=20.5`,
   );
   await drawn(page, "result");
   const add = page.getByRole("combobox", { name: "Add an image" });
@@ -44,9 +44,9 @@ test("another renderer and another run stand beside the image, and the address s
   await drawn(page, "difference");
   assert.match(await readout(page, "difference").innerText(), /0\s+0\.2(5|4999\d+)\s+0/);
   await page.getByRole("button", { name: "Side by side" }).click();
-  await drawn(page, "result two"); // A and B
+  await drawn(page, "result two difference"); // A, B and A - B
   await page.getByRole("checkbox", { name: "one@before in blink and side by side" }).check();
-  await drawn(page, "result two one@before");
+  await drawn(page, "result two one@before difference");
   assert.deepEqual(errors, []);
   await page.close();
 });
@@ -54,7 +54,7 @@ test("another renderer and another run stand beside the image, and the address s
 test("a link opens the same two images, and the view survives the next renderer", async () => {
   const { page } = await open(
     session.browser,
-    `${session.url}${values}?more=two&b=two&img=difference&diff=squared&zoom=8&x=20&y=10&ev=1&region=1%2C2%2C9%2C9`,
+    `${session.url}${values}&more=two&b=two&img=difference&diff=squared&zoom=8&x=20&y=10&ev=1&region=1%2C2%2C9%2C9`,
   );
   await drawn(page, "difference");
   assert.equal(await page.getByRole("combobox", { name: "B", exact: true }).inputValue(), "two");
@@ -68,7 +68,7 @@ test("a link opens the same two images, and the view survives the next renderer"
 });
 
 test("an image that is not there is named, and the others are shown", async () => {
-  const { page } = await open(session.browser, `${session.url}${values}?more=nobody`);
+  const { page } = await open(session.browser, `${session.url}${values}&more=nobody`);
   await page.getByText("nobody: the run has no such target").waitFor();
   await drawn(page, "result");
   await page.getByRole("button", { name: "Remove nobody" }).click();
@@ -82,7 +82,7 @@ test("FLIP is 0 for equal images and 1 for the largest difference of colours", a
   const of = async (image: Buffer): Promise<string> => {
     const { page } = await open(session.browser, "about:blank");
     await replaceImages(page, { "result.exr": image, "values.exr": colour(1, 0) });
-    await page.goto(`${session.url}${values}?img=difference&diff=flip`);
+    await page.goto(`${session.url}${values}&img=difference&diff=flip`);
     await drawn(page, "difference");
     await page.locator(".statistics").first().waitFor();
     const text = await page.locator(".statistics").first().innerText();
@@ -98,7 +98,7 @@ test("the stage and its colour scale fit the window, and F fills it", async () =
     [1440, 900],
     [1280, 720],
   ] as const) {
-    const { page } = await open(session.browser, `${session.url}${values}?img=l1`, {
+    const { page } = await open(session.browser, `${session.url}${values}&img=l1`, {
       viewport: { width, height },
     });
     await drawn(page, "l1");
@@ -222,7 +222,7 @@ for (const kind of ["served", "in one file"])
     for (const name of ["result", "reference", "|result − reference|"])
       await row.locator(`img[alt="${name}"]`).first().waitFor();
     await row.locator("a.pictures").first().click();
-    await drawn(page, "result");
+    await drawn(page, "result reference difference");
     assert.deepEqual(errors, []);
     await page.close();
   });

@@ -7,7 +7,7 @@ import { startSession } from "./session";
 
 const session = startSession("small", "before");
 
-const values = "#/case/m1_values/values/one";
+const values = "#/case/m1_values/values/one?mode=flip";
 
 test("the overview shows each state as symbol and word, failures first", async () => {
   const { page, errors } = await open(session.browser, `${session.url}#/?by=target`);
@@ -127,7 +127,7 @@ test("swipe shows the result left and the reference right of the divider", async
   // Exposure -1 keeps the extra 1 in R at (40, 20) of the reference below white.
   const { page } = await open(
     session.browser,
-    `${session.url}${values}?mode=swipe&zoom=8&x=40.5&y=20.5&swipe=1&curve=linear&ev=-1`,
+    `${session.url}${values}&mode=swipe&zoom=8&x=40.5&y=20.5&swipe=1&curve=linear&ev=-1`,
   );
   await drawn(page, "result reference");
   const box = await page.locator(".stage").boundingBox();
@@ -135,7 +135,7 @@ test("swipe shows the result left and the reference right of the divider", async
   const left = await colourAt(page, x, y);
   await page.locator(".divider").focus();
   await page.goto(
-    `${session.url}${values}?mode=swipe&zoom=8&x=40.5&y=20.5&swipe=0&curve=linear&ev=-1`,
+    `${session.url}${values}&mode=swipe&zoom=8&x=40.5&y=20.5&swipe=0&curve=linear&ev=-1`,
   );
   await page.waitForFunction(
     () => document.querySelector(".divider")?.getAttribute("aria-valuenow") === "0",
@@ -149,7 +149,7 @@ test("swipe shows the result left and the reference right of the divider", async
 });
 
 test("the readout has the values of the EXR, even beyond the range of half floats", async () => {
-  const { page } = await open(session.browser, `${session.url}${values}?zoom=40&x=8.5&y=9.5`);
+  const { page } = await open(session.browser, `${session.url}${values}&zoom=40&x=8.5&y=9.5`);
   await drawn(page, "result");
   const box = await page.locator(".stage").boundingBox();
   const middle = {
@@ -174,7 +174,7 @@ test("the readout has the values of the EXR, even beyond the range of half float
 });
 
 test("NaN and infinite pixels are magenta at any zoom and counted", async () => {
-  const { page } = await open(session.browser, `${session.url}${values}?zoom=20&x=5.5&y=7.5`);
+  const { page } = await open(session.browser, `${session.url}${values}&zoom=20&x=5.5&y=7.5`);
   await drawn(page, "result");
   const box = await page.locator(".stage").boundingBox();
   const [x, y] = [Math.floor((box?.width ?? 0) / 2), Math.floor((box?.height ?? 0) / 2)];
@@ -183,7 +183,7 @@ test("NaN and infinite pixels are magenta at any zoom and counted", async () => 
   assert.match(await page.locator(".statistics").first().innerText(), /NaN\s+1\s+0\s+0/);
   assert.match(await page.locator(".statistics").first().innerText(), /Inf\s+1\s+0\s+0/);
   await page.goto("about:blank");
-  await page.goto(`${session.url}${values}?zoom=0.25&x=32&y=24`);
+  await page.goto(`${session.url}${values}&zoom=0.25&x=32&y=24`);
   await drawn(page, "result");
   const small = await page.evaluate(() => {
     const canvas = document.querySelector<HTMLCanvasElement>(".stage canvas");
@@ -202,7 +202,7 @@ test("NaN and infinite pixels are magenta at any zoom and counted", async () => 
 });
 
 test("the worst pixels are visited in order, with their positions", async () => {
-  const { page } = await open(session.browser, `${session.url}${values}?img=l1`);
+  const { page } = await open(session.browser, `${session.url}${values}&img=l1`);
   await drawn(page, "l1");
   await page.getByText("2 pixels differ").waitFor();
   await page.keyboard.press("u");
@@ -220,7 +220,7 @@ test("the worst pixels are visited in order, with their positions", async () => 
 test("a link restores the view, and changes of the view change the link", async () => {
   const { page } = await open(
     session.browser,
-    `${session.url}${values}?img=reference&zoom=4&x=20&y=10&ev=1.5&ch=G&region=1%2C2%2C11%2C12&zebra=1`,
+    `${session.url}${values}&img=reference&zoom=4&x=20&y=10&ev=1.5&ch=G&region=1%2C2%2C11%2C12&zebra=1`,
   );
   await drawn(page, "reference");
   assert.equal(
@@ -309,7 +309,7 @@ test("text of cases and logs is never markup", async () => {
 test("the one-file page works from file:// and requests nothing", async () => {
   const file = join(session.scratch.folder, "page.html");
   report(join(session.scratch.folder, "small"), file);
-  const { page, errors } = await open(session.browser, `file://${file}${values}?img=wobble`);
+  const { page, errors } = await open(session.browser, `file://${file}${values}&img=wobble`);
   await drawn(page, "wobble");
   await page.keyboard.press("1");
   await drawn(page, "result");

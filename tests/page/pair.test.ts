@@ -94,7 +94,8 @@ test("Normalise takes a percentile of what is visible", async () => {
     B: () => 0,
   });
   await replaceImages(page, { "result.exr": image });
-  const at = (query: string) => page.goto(`${session.url}#/case/m1_values/values/one?${query}`);
+  const at = (query: string) =>
+    page.goto(`${session.url}#/case/m1_values/values/one?mode=flip&${query}`);
   const exposure = async (): Promise<number> => {
     await drawn(page, "result");
     await page.locator(".statistics").first().waitFor();

@@ -6,7 +6,7 @@ import { colourAt, drawn, open, packedImage, replaceImages } from "./browser";
 import { startSession } from "./session";
 
 const session = startSession("small");
-const values = (): string => `${session.url}#/case/m1_values/values/one`;
+const values = (): string => `${session.url}#/case/m1_values/values/one?mode=flip`;
 
 /** The viewer with these images in place of result and reference. */
 async function viewer(
@@ -15,7 +15,7 @@ async function viewer(
 ): Promise<{ page: Page; errors: string[]; middle: { x: number; y: number } }> {
   const { page, errors } = await open(session.browser, "about:blank");
   await replaceImages(page, images);
-  await page.goto(`${values()}?${query}`);
+  await page.goto(`${values()}&${query}`);
   await drawn(page, "result");
   const box = await page.locator(".stage").boundingBox();
   return {
@@ -153,7 +153,7 @@ test("the statistics of a region cover only its pixels", async () => {
     await page.locator(".region").innerText(),
     /mean \|Δ\|\s+0\.002604\s+mean Δ²\s+0\.002604\s+mean Δ\s+-0\.002604/,
   );
-  await page.goto(`${values()}?region=0%2C0%2C32%2C32`);
+  await page.goto(`${values()}&region=0%2C0%2C32%2C32`);
   await page.locator(".region tr", { hasText: "mean Δ" }).last().getByText("NaN").waitFor();
   await page.close();
 });
@@ -171,7 +171,7 @@ test("many erroneous pixels are counted, and one of each spot can be visited", a
 });
 
 test("a layer that the images do not have can be deselected", async () => {
-  const { page } = await open(session.browser, `${values()}?layer=S3`);
+  const { page } = await open(session.browser, `${values()}&layer=S3`);
   await page.getByText("result: the image has no layer 'S3'").waitFor();
   await page.getByRole("combobox", { name: "Layer" }).selectOption({ label: "colour" });
   await drawn(page, "result");

@@ -13,6 +13,7 @@ import { Logs } from "./Logs";
 import { Measures } from "./Measures";
 import { useOtherImages } from "./other_images";
 import { PathToVerdict } from "./PathToVerdict";
+import { showsItsError } from "./opening";
 import { Provenance } from "./Provenance";
 import { Related } from "./Related";
 import { RenderRecord } from "./RenderRecord";
@@ -80,7 +81,9 @@ export function CasePage({ session, route }: { session: Session; route: Route })
       />
       {problem !== undefined ? <p role="alert">The target cannot be shown: {problem}</p> : null}
       {detail === undefined && problem === undefined ? <p class="loading">Reading …</p> : null}
-      {detail ? <Detail session={session} route={route} one={one} detail={detail} /> : null}
+      {detail ? (
+        <Detail session={session} route={route} index={index} one={one} detail={detail} />
+      ) : null}
     </article>
   );
 }
@@ -143,11 +146,12 @@ const samplesOf = ({ jobs }: TargetDetail): string =>
 interface DetailProps {
   session: Session;
   route: Route;
+  index: number;
   one: CaseRecord;
   detail: TargetDetail;
 }
 
-function Detail({ session, route, one, detail }: DetailProps) {
+function Detail({ session, route, index, one, detail }: DetailProps) {
   const addable = useOtherImages(session, detail);
   return (
     <>
@@ -157,6 +161,7 @@ function Detail({ session, route, one, detail }: DetailProps) {
         addable={addable}
         images={detail.images}
         route={route}
+        opensSideBySide={showsItsError(stateOf(session.overview, index), detail)}
       />
       <div class="facts">
         <Related session={session} detail={detail} />

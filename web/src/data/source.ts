@@ -13,7 +13,8 @@ export type Update = Progress | "disconnected" | "closed";
 export type Kind = "run" | StudyKind;
 
 /** An image of a target; `run`: the index of the run that holds it, if it is not the one that is shown. */
-export type ImageEntry = ImageFile & { run?: number };
+/** `noise`: its values are in units of the noise of each pixel, and NaN where there is none. */
+export type ImageEntry = ImageFile & { run?: number; noise?: boolean };
 
 /** Where the page gets its data from: a server, or the page's own file. */
 export interface Source {

@@ -23,7 +23,7 @@ export function differenceAddress(result: Raster, reference: Raster): string | u
     const [a, b] = [floatsOf(result, c, 0, count), floatsOf(reference, c, 0, count)];
     for (let i = 0; i < count; ++i) sum[i]! += Math.abs((a[i] ?? NaN) - (b[i] ?? NaN)) / planes;
   }
-  const scale = scaleBytes(false);
+  const scale = scaleBytes("sequential");
   const image = new ImageData(width, height);
   sum.forEach((value, i) => {
     const at = 4 * Math.round(255 * Math.min(1, value / kEnd));

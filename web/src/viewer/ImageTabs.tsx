@@ -1,4 +1,4 @@
-import type { Controls } from "./controls";
+import { show, type Controls } from "./controls";
 
 /** A button and a checkbox for each image. */
 export function ImageTabs({ controls: c }: { controls: Controls }) {
@@ -17,7 +17,7 @@ export function ImageTabs({ controls: c }: { controls: Controls }) {
             title={`${image.definition ?? image.name} (${i + 1})`}
             onClick={() => {
               c.setBlinking(false);
-              c.setView({ ...c.view, image: image.name });
+              show(c, image.name);
             }}
           >
             {i < 9 ? <kbd>{i + 1}</kbd> : null} {image.name}

@@ -1,17 +1,25 @@
 import { useEffect, useRef } from "preact/hooks";
 import { number } from "../common/format";
 import type { ImageEntry } from "../data/source";
-import { scaleBytes } from "./colour_scales";
-import type { PaintSettings } from "./paint_settings";
+import { scaleBytes, scaleOf } from "./colour_scales";
+import { isMap, type PaintSettings } from "./paint_settings";
+import { ChoiceField } from "./tools";
+import { kScaleEnds, type ScaleEnd, type ViewState } from "./view_state";
 
 const kDecades = 4; // of a logarithmic scale, as in the shader
 
 /** The labels of the scale with their positions, from 0 to 1. */
 export function ticksOf({
   diverging,
+  noise,
   log,
   scaleEnd,
 }: PaintSettings): { place: number; text: string }[] {
+  if (noise)
+    return [-6, -3, 0, 3, 6].map((sixth) => {
+      const value = (sixth / 6) * scaleEnd;
+      return { place: 0.5 + sixth / 12, text: `${number(value).replace("-", "−")} σ` };
+    });
   const positive = log
     ? Array.from({ length: kDecades + 1 }, (_, k) => ({
         t: k / kDecades,
@@ -39,20 +47,86 @@ export function ticksOf({
 interface LegendProps {
   image: ImageEntry;
   settings: PaintSettings;
-  onEnd: (end: number | undefined) => void;
-  onLog: () => void;
+  view: ViewState;
+  onView: (view: ViewState) => void;
 }
 
-/** The colour scale of the image in front, with its labels. */
-export function Legend({ image, settings, onEnd, onLog }: LegendProps) {
+/** The view without an end of its own for the scale of an image, or with one, if it is a positive number. */
+function withEnd(view: ViewState, name: string, end: number | undefined): ViewState {
+  const { [name]: _, ...others } = view.ends;
+  return { ...view, ends: end && end > 0 ? { ...others, [name]: end } : others };
+}
+
+const kTyped = "typed";
+
+/** What decides where the scale of a map ends. */
+function endChoices({ scale_maximum: fixed }: ImageEntry): { value: string; label: string }[] {
+  const label = (end: ScaleEnd): string =>
+    end === "fixed"
+      ? `fixed: ${number(fixed ?? 1)}`
+      : end === "100"
+        ? "largest pixel"
+        : `${end} % of pixels`;
+  return kScaleEnds.map((end) => ({ value: end, label: label(end) }));
+}
+
+function EndTools({ image, settings, view, onView }: LegendProps) {
+  const isTyped = view.ends[image.name] !== undefined;
+  const choose = (text: string): void => {
+    const scale = kScaleEnds.find((one) => one === text);
+    if (scale) onView({ ...withEnd(view, image.name, undefined), scale });
+  };
+  return (
+    <span class="scale-buttons">
+      <label>
+        ends at{" "}
+        <input
+          type="number"
+          step="any"
+          min="0"
+          value={Number(settings.scaleEnd.toPrecision(4))}
+          onChange={({ currentTarget: { value } }) =>
+            onView(withEnd(view, image.name, value === "" ? undefined : Number(value)))
+          }
+        />
+      </label>
+      {isMap(image) && !settings.noise ? (
+        <ChoiceField
+          label="End of the scale"
+          title="where the scale ends: at what this share of the pixels does not exceed, or at a fixed number"
+          value={isTyped ? kTyped : view.scale}
+          choices={[
+            ...endChoices(image),
+            ...(isTyped ? [{ value: kTyped, label: "as typed" }] : []),
+          ]}
+          onChange={choose}
+        />
+      ) : null}
+      {settings.noise ? null : (
+        <button
+          aria-pressed={settings.log}
+          onClick={() => onView({ ...view, log: !view.log })}
+          title="Linear or logarithmic (L)"
+        >
+          log
+        </button>
+      )}
+    </span>
+  );
+}
+
+/** The colour scale of an image, with its labels. */
+export function Legend(props: LegendProps) {
+  const { image, settings } = props;
   const canvas = useRef<HTMLCanvasElement>(null);
+  const scale = scaleOf(settings);
   useEffect(() => {
     const pen = canvas.current?.getContext("2d");
     if (!pen) return;
     const pixels = pen.createImageData(256, 1);
-    pixels.data.set(scaleBytes(settings.diverging));
+    pixels.data.set(scaleBytes(scale));
     pen.putImageData(pixels, 0, 0);
-  }, [settings.diverging]);
+  }, [scale]);
   return (
     <figure class="legend" aria-label={`Colour scale of ${image.name}`}>
       <canvas ref={canvas} width={256} height={1} />
@@ -70,27 +144,18 @@ export function Legend({ image, settings, onEnd, onLog }: LegendProps) {
       <figcaption>
         <span>
           <b>{image.name}</b> <span class="quiet">{image.definition ?? ""}</span>
+          {settings.noise ? <NoiseMeaning /> : null}
         </span>
-        <span class="scale-buttons">
-          <label>
-            ends at{" "}
-            <input
-              type="number"
-              step="any"
-              min="0"
-              value={Number(settings.scaleEnd.toPrecision(4))}
-              onChange={(event) =>
-                onEnd(
-                  event.currentTarget.value === "" ? undefined : Number(event.currentTarget.value),
-                )
-              }
-            />
-          </label>
-          <button aria-pressed={settings.log} onClick={onLog} title="Linear or logarithmic (L)">
-            log
-          </button>
-        </span>
+        <EndTools {...props} />
       </figcaption>
     </figure>
   );
 }
+
+// P(|z| > 3) of the normal distribution is 0.0027.
+const NoiseMeaning = () => (
+  <span class="noise-meaning">
+    <b>3</b>: noise alone does this in 1 of 370 pixels of a channel, in more after few samples.{" "}
+    <span class="no-noise" aria-hidden="true" /> hatched: no noise is stated there.
+  </span>
+);

@@ -1,6 +1,15 @@
+import type { Controls } from "./controls";
 import { kDifference, kMeasureKinds } from "./difference";
 import { ChoiceField, type ToolsProps } from "./tools";
 import { kMeasures, type ViewState } from "./view_state";
+
+/** One that these images do not allow is named with the reason. */
+const measureChoices = (c: Controls) =>
+  kMeasures.map((value) => {
+    const lack = value === "noise" ? c.lackOfNoise : "";
+    const { label } = kMeasureKinds[value];
+    return { value, label: lack ? `${label}: ${lack}` : label, isOff: lack !== "" };
+  });
 
 /** The two images that are compared, how, and which others are loaded beside those of the target. */
 export function PairTools({ controls: c }: ToolsProps) {
@@ -32,7 +41,7 @@ export function PairTools({ controls: c }: ToolsProps) {
         label="Measure"
         title="how the difference is measured (i: next)"
         value={view.measure}
-        choices={kMeasures.map((value) => ({ value, label: kMeasureKinds[value].label }))}
+        choices={measureChoices(c)}
         onChange={(name) =>
           set({ measure: kMeasures.find((one) => one === name) ?? view.measure, ends })
         }

@@ -5,6 +5,7 @@ import { drawStage } from "./draw_stage";
 import { imageAt, placed, zoomedAt, type Pane, type Size } from "./geometry";
 import { usePointer } from "./pointer";
 import { stagePanes, type Shown } from "./stage_content";
+import type { Region } from "./statistics";
 import { usePainter, useStageSize } from "./use_painter";
 import { isRaster } from "./use_rasters";
 import type { ViewState } from "./view_state";
@@ -18,6 +19,7 @@ interface Props {
   /** Size of the images in pixels; a guess until one of them is loaded. */
   size: Size;
   marked: { x: number; y: number } | undefined;
+  outlined: Region[];
   selecting: boolean;
   onView: (view: ViewState) => void;
   onHover: (at: { x: number; y: number } | undefined) => void;
@@ -45,7 +47,8 @@ export function Stage(props: Props) {
   useEffect(() => {
     const frame = requestAnimationFrame(() => {
       if (!canvas.current || !painter.current || !overlay.current) return;
-      const content = { shown, panes, view, size, stage, swiping, marked: props.marked };
+      const { marked, outlined } = props;
+      const content = { shown, panes, view, size, stage, swiping, marked, outlined };
       const { current } = painter;
       const failed = drawStage(current, canvas.current, overlay.current, content, props.loaded);
       if (failed !== undefined) setProblem(failed);

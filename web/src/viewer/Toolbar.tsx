@@ -58,9 +58,11 @@ function worstText({ pixels }: Worst, index: number, error: number): string {
 
 function ErrorTools({ controls: c, actions }: ToolsProps) {
   const worst = c.worst?.pixels[c.worstIndex];
-  const counted = c.worst
-    ? `${c.worst.count} ${c.worst.count === 1 ? "pixel differs" : "pixels differ"}`
-    : "";
+  const { differing } = c;
+  const counted =
+    differing === undefined
+      ? ""
+      : `${differing} ${differing === 1 ? "pixel differs" : "pixels differ"}`;
   return (
     <span class="group" role="group" aria-label="Errors">
       <ActionButton actions={actions} action="y" text="◂" />
@@ -73,7 +75,11 @@ function ErrorTools({ controls: c, actions }: ToolsProps) {
       </button>
       <ActionButton actions={actions} action="u" text="▸" />
       <ActionButton actions={actions} action="a" text="Region" pressed={c.selecting} />
-      <span class="quiet worst-count" role="status">
+      <span
+        class="quiet worst-count"
+        role="status"
+        title="pixels of A and B that differ in their first 11 significant bits"
+      >
         {counted}
       </span>
     </span>

@@ -15,12 +15,14 @@ import { PairErrors } from "./PairErrors";
 import { Readout } from "./Readout";
 import { RegionPanel } from "./RegionPanel";
 import { Stage } from "./Stage";
+import type { Shown } from "./stage_content";
 import { Toolbar } from "./Toolbar";
 import { useExtraImages, type Addable, type ImageHome } from "./extra_images";
 import { pairOf, useFront, type Front } from "./use_front";
 import { useLoadedImages, type LoadedImages } from "./use_loaded_images";
 import { isRaster } from "./use_rasters";
 import { useRoom } from "./use_room";
+import type { Region } from "./statistics";
 import { useView } from "./use_view";
 import type { ViewState } from "./view_state";
 import type { Worst } from "./worst";
@@ -60,7 +62,7 @@ function controlsOf(
   local: LocalState,
   { front, visible, ticked, pair }: Front,
   offered: Pick<Controls, "extra" | "addressOf">,
-  { raster, size, layers, worst, rangeFor }: LoadedImages,
+  { raster, size, layers, worst, differing, lackOfNoise, rangeFor }: LoadedImages,
 ): Controls {
   const { visited, setVisited, setHover } = local;
   const range = front && rangeFor(front);
@@ -89,6 +91,8 @@ function controlsOf(
     channel: channelInForce(raster, view.channel),
     // A link may name a layer that these images do not have; another one must still be selectable.
     layers: layers.includes(view.layer) ? layers : [...layers, view.layer],
+    differing,
+    lackOfNoise,
     ticked,
     pair,
     ...offered,
@@ -110,6 +114,10 @@ interface ViewerProps {
   images: ImageEntry[];
   addable: Addable;
   route: Route;
+  /** Result, reference and difference stand side by side unless the address says otherwise. */
+  opensSideBySide?: boolean;
+  /** Parts of the images that are outlined. */
+  outlined?: Region[];
 }
 
 const addressOf = (
@@ -125,8 +133,9 @@ function allImages(own: ImageEntry[], added: ImageEntry[], view: ViewState): Ima
 }
 
 /** The images of a target, with the tools to compare them. */
-export function Viewer({ home, images: own, addable, route }: ViewerProps) {
-  const [view, setView] = useView(route);
+export function Viewer(props: ViewerProps) {
+  const { home, images: own, addable, route, opensSideBySide, outlined = [] } = props;
+  const [view, setView] = useView(route, opensSideBySide ? "side" : "flip");
   const added = useExtraImages(addable, view.more);
   const images = allImages(own, added.images, view);
   const local = useLocalState();
@@ -148,7 +157,7 @@ export function Viewer({ home, images: own, addable, route }: ViewerProps) {
   if (images.length === 0)
     return <p class="quiet no-images">There are no images: nothing was rendered.</p>;
   const marked = data.worst?.pixels[controls.worstIndex];
-  const shown = inFront.visible.map((image) => ({
+  const shown: Shown[] = inFront.visible.map((image) => ({
     image,
     loaded: data.rasters.get(image.name),
     preview: data.previews.get(image.name),
@@ -170,12 +179,13 @@ export function Viewer({ home, images: own, addable, route }: ViewerProps) {
             view={view}
             size={data.size}
             marked={marked}
+            outlined={outlined}
             selecting={local.selecting}
             onView={setView}
             onHover={local.setHover}
             onRegion={(region) => setView({ ...view, region })}
           />
-          <Scale controls={controls} />
+          <Scale controls={controls} shown={shown} />
         </div>
         <Side controls={controls} data={data} at={local.hover ?? marked} />
       </div>
@@ -194,27 +204,19 @@ const Problems = ({ texts }: { texts: string[] }) => (
   </>
 );
 
-/** The colour scale of the image in front, if it is shown in false colour. */
-function Scale({ controls: { front, settings, view, setView } }: { controls: Controls }) {
-  if (!settings?.falseColour || !front) return null;
-  return (
-    <Legend
-      image={front}
-      settings={settings}
-      onLog={() => setView({ ...view, log: !view.log })}
-      onEnd={(end) => setView({ ...view, ends: endsWith(view.ends, front.name, end) })}
-    />
-  );
+interface ScaleProps {
+  controls: Controls;
+  shown: Shown[];
 }
 
-/** Sets the end of the colour scale of one image; without a positive number it is reset. */
-function endsWith(
-  ends: Record<string, number>,
-  name: string,
-  end: number | undefined,
-): Record<string, number> {
-  const { [name]: _, ...others } = ends;
-  return end && end > 0 ? { ...others, [name]: end } : others;
+/** The colour scale of the image in front, or else of the last one on the stage in false colour. */
+function Scale({ controls: { front, view, setView }, shown }: ScaleProps) {
+  const coloured = shown.flatMap(({ image, loaded, range }) => {
+    const settings = paintSettings(image, view, isRaster(loaded) ? loaded : undefined, range);
+    return settings.falseColour ? [{ image, settings }] : [];
+  });
+  const one = coloured.find(({ image }) => image === front) ?? coloured.at(-1);
+  return one ? <Legend {...one} view={view} onView={setView} /> : null;
 }
 
 interface SideProps {

@@ -1,5 +1,5 @@
 import type { Action } from "../common/keys";
-import { nudge, normalise, toWorst, toWorstTile, zoomTo, type Controls } from "./controls";
+import { nudge, normalise, show, toWorst, toWorstTile, zoomTo, type Controls } from "./controls";
 import { fitZoom } from "./geometry";
 import { kDifference } from "./difference";
 import { kCurves, kDefaultView, kMeasures, kModes, type ViewState } from "./view_state";
@@ -23,21 +23,22 @@ function imageActions(c: Controls): Action[] {
   const maps = c.images.filter((image) => image.kind === "map");
   const pictures = c.images.filter((image) => image.kind !== "map").map(({ name }) => name);
   const { [kDifference]: _, ...ends } = view.ends;
+  const measures = kMeasures.filter((one) => one !== "noise" || c.lackOfNoise === "");
   return [
     ...c.images.slice(0, 9).map((image, i) =>
       act(String(i + 1), `show ${image.name}`, () => {
         c.setBlinking(false);
-        set({ image: image.name });
+        show(c, image.name);
       }),
     ),
     // For the help only: useFront shows the reference while the key is held.
     act("Shift", "show image B (the reference)", () => undefined, "hold Shift"),
     act("h", "difference of A and B, or A", () =>
-      set({ image: c.front?.name === kDifference ? c.pair.a : kDifference }),
+      show(c, c.front?.name === kDifference ? c.pair.a : kDifference),
     ),
     act("b", "next image as B", () => set({ b: next(pictures, c.pair.b) })),
     act("i", "next measure of the difference", () =>
-      set({ measure: next(kMeasures, view.measure), ends }),
+      set({ measure: next(measures, view.measure), ends }),
     ),
     act(" ", "blink the ticked images", () => c.setBlinking(!c.blinking), "Space"),
     act("s", "swipe between the image and B", () =>
@@ -46,15 +47,16 @@ function imageActions(c: Controls): Action[] {
     act("m", "flip, swipe, side by side", () => set({ mode: next(kModes, view.mode) })),
     act("d", "next map: those of the run, then the difference by each measure", () => {
       const { name } = c.front ?? { name: "" };
-      const isLast = view.measure === kMeasures.at(-1);
+      const isLast = view.measure === measures.at(-1);
       if (name === kDifference && (!isLast || maps.length === 1))
-        return set({ measure: next(kMeasures, view.measure), ends });
-      set({
-        image: next(
+        return set({ measure: next(measures, view.measure), ends });
+      show(
+        c,
+        next(
           maps.map((map) => map.name),
           name,
         ),
-      });
+      );
     }),
   ];
 }

@@ -25,11 +25,36 @@ function bytesOf(rgb: Rgb): number[] {
   return [...rgb.map((v) => Math.round(255 * srgbEncode(Math.min(1, Math.max(0, v))))), 255];
 }
 
+/** In the order of the rows of the painter's texture. */
+export const kColourScales = ["sequential", "diverging", "noise"] as const;
+export type ColourScale = (typeof kColourScales)[number];
+
+export const scaleOf = ({
+  noise,
+  diverging,
+}: {
+  noise: boolean;
+  diverging: boolean;
+}): ColourScale => (noise ? "noise" : diverging ? "diverging" : "sequential");
+
+/**
+ * Of differences over their noise, from -1 to 1: grey as long as noise explains them, to the half of the scale,
+ * which is 3 sigma; beyond it blue-green or red. Neither lies near the magenta of bad pixels.
+ */
+function noiseColour(t: number): Rgb {
+  const size = Math.abs(t);
+  const beyond = Math.max(0, 2 * size - 1);
+  const chroma = size > 0.5 ? 0.045 + 0.065 * beyond : 0.03 * size;
+  return linearRgb(0.2 + 0.2 * size + 0.3 * beyond, chroma, t < 0 ? 195 : 30);
+}
+
 /** 256 RGBA colours, from 0 to the end of the scale; a diverging scale starts at minus its end. */
-export function scaleBytes(diverging: boolean): Uint8Array {
+export function scaleBytes(scale: ColourScale): Uint8Array {
   const out: number[] = [];
   for (let i = 0; i < 256; ++i) {
-    if (diverging) {
+    if (scale === "noise") {
+      out.push(...bytesOf(noiseColour((i / 255) * 2 - 1)));
+    } else if (scale === "diverging") {
       const t = (i / 255) * 2 - 1;
       out.push(
         ...bytesOf(linearRgb(0.12 + 0.63 * Math.abs(t), 0.13 * Math.abs(t), t < 0 ? 255 : 50)),

@@ -21,6 +21,8 @@ export interface Controls {
   /** The size of the pane of the image in front, in CSS pixels. */
   pane: () => Size;
   worst: Worst | undefined;
+  /** How many pixels of A and B differ. */
+  differing: number | undefined;
   /** Rank of the worst pixel that is visited, from 0; -1 before the first visit. */
   worstIndex: number;
   setWorstIndex: (index: number) => void;
@@ -35,6 +37,8 @@ export interface Controls {
   channels: { value: string; label: string }[];
   channel: string;
   layers: string[];
+  /** Why the difference cannot be divided by its noise; "" if it can. */
+  lackOfNoise: string;
   /** Names of the images of blink and side by side. */
   ticked: string[];
   pair: Pair;
@@ -42,6 +46,12 @@ export interface Controls {
   extra: string[];
   /** Address of the file of an image; undefined if it has none that can be saved. */
   addressOf: (image: ImageEntry) => string | undefined;
+}
+
+/** Shows one image; side by side it was one of several. */
+export function show(c: Controls, image: string, change: Partial<ViewState> = {}): void {
+  const mode = c.view.mode === "side" ? "flip" : c.view.mode;
+  c.setView({ ...c.view, mode, image, ...change });
 }
 
 /** Centres a pixel, at a zoom of at least `least`. */

@@ -58,7 +58,16 @@ export const kMeasureKinds: Record<Measure, Kind> = {
     signed: false,
     scaleMaximum: 1,
   },
+  noise: {
+    label: "(A − B) / σ",
+    definition: "(A − B) / σ, where σ² is the variance of A and that of B, which the images state",
+    signed: true,
+    scaleMaximum: 6,
+  },
 };
+
+/** The layer of an image that holds the variance of the mean of each of its pixels, by channel. */
+export const kVariance = "variance";
 
 export const kDifference = "difference";
 
@@ -74,6 +83,7 @@ export function differenceEntry(a: string, b: string, measure: Measure): ImageEn
     definition: `${definition}${where}; A is ${a}, B is ${b}`,
     signed,
     scale_maximum: scaleMaximum,
+    noise: measure === "noise",
   };
 }
 
@@ -92,7 +102,18 @@ const isImageMeasure = (measure: Measure): measure is ImageMeasure => measure in
 
 const shown = (value: number): number => 255 * encoded(Math.min(1, Math.max(0, value)));
 
-const kFormulas: Record<Exclude<Measure, ImageMeasure>, (a: number, b: number) => number> = {
+/** The values of A and B, and of their variances where a measure needs them. */
+type Formula = (a: number, b: number, varianceA: number, varianceB: number) => number;
+
+/** NaN where there is no noise; infinite where A, B or a variance is no number. */
+const overNoise: Formula = (a, b, varianceA, varianceB) => {
+  const variance = varianceA + varianceB;
+  if (variance === 0) return NaN;
+  const value = (a - b) / Math.sqrt(variance);
+  return Number.isFinite(value) ? value : Infinity;
+};
+
+const kFormulas: Record<Exclude<Measure, ImageMeasure>, Formula> = {
   signed: (a, b) => a - b,
   absolute: (a, b) => Math.abs(a - b),
   relative: (a, b) => (a - b) / (Math.abs(b) + 0.01),
@@ -100,13 +121,21 @@ const kFormulas: Record<Exclude<Measure, ImageMeasure>, (a: number, b: number) =
   relmse: (a, b) => ((a - b) * (a - b)) / (b * b + 0.01),
   smape: (a, b) => (2 * Math.abs(a - b)) / (Math.abs(a) + Math.abs(b) + 0.02),
   srgb8: (a, b) => (shown(a) - shown(b)) ** 2,
+  noise: overNoise,
 };
 
-/** Throws an Error with a message if the images cannot be subtracted. */
+/** Variances of two images, of the same channels. */
+export interface Variances {
+  a: Raster;
+  b: Raster;
+}
+
+/** Throws an Error with a message if the images cannot be subtracted. Only "noise" needs variances. */
 export async function differenceOf(
   a: Raster,
   b: Raster,
   measure: Measure,
+  variances: Variances | undefined,
   signal: AbortSignal,
 ): Promise<Raster> {
   const { width, height } = a;
@@ -131,17 +160,37 @@ export async function differenceOf(
       throw new Error(`${kMeasureKinds[measure].label} needs the channels R, G and B`);
     return raster([await map(a, b, signal)], [channel]);
   }
-  const formula = kFormulas[measure];
-  const planes = names.map(() => new Float32Array(width * height));
-  await forEachRow(a, undefined, signal, (begin, end) => {
-    planes.forEach((plane, c) => {
-      const [one, other] = [floatsOf(a, c, begin, end), floatsOf(b, c, begin, end)];
-      for (let i = 0; i < one.length; ++i)
-        plane[begin + i] = formula(one[i] ?? NaN, other[i] ?? NaN);
-    });
-  });
+  const planes = await planesOf(a, b, kFormulas[measure], variances, signal);
   return raster(
     planes,
     names.map(({ name }) => name),
   );
+}
+
+/** The channels of a formula of the values of A and B. */
+async function planesOf(
+  a: Raster,
+  b: Raster,
+  formula: Formula,
+  variances: Variances | undefined,
+  signal: AbortSignal,
+): Promise<Float32Array[]> {
+  const count = Math.min(3, a.planes.length, b.planes.length);
+  const planes = Array.from({ length: count }, () => new Float32Array(a.width * a.height));
+  const none = new Float32Array(0);
+  await forEachRow(a, undefined, signal, (begin, end) => {
+    planes.forEach((plane, c) => {
+      const of = (raster: Raster | undefined) => (raster ? floatsOf(raster, c, begin, end) : none);
+      const [one, other] = [of(a), of(b)];
+      const [varianceA, varianceB] = [of(variances?.a), of(variances?.b)];
+      for (let i = 0; i < one.length; ++i)
+        plane[begin + i] = formula(
+          one[i] ?? NaN,
+          other[i] ?? NaN,
+          varianceA[i] ?? NaN,
+          varianceB[i] ?? NaN,
+        );
+    });
+  });
+  return planes;
 }

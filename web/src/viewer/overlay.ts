@@ -6,6 +6,7 @@ import type { StageContent } from "./stage_content";
 import { isRaster } from "./use_rasters";
 import type { ViewState } from "./view_state";
 
+const kOutline = "#ff8a3d"; // neither the yellow of the region nor the magenta of the marked pixel
 const kNumbersFrom = 36; // screen pixels per pixel; below that four digits do not fit
 
 /** A value with few characters, to fit into one pixel. */
@@ -110,6 +111,7 @@ export function drawOverlay(canvas: HTMLCanvasElement, content: StageContent): v
       drawNumbers(pen, one.loaded, pane, view, size);
       ++numbers;
     }
+    for (const box of content.outlined) drawBox(pen, pane, view, size, box, kOutline);
     if (view.region) drawBox(pen, pane, view, size, view.region, "#ffd84d");
     const { marked } = content;
     if (marked)
@@ -127,4 +129,5 @@ export function drawOverlay(canvas: HTMLCanvasElement, content: StageContent): v
     else drawTitle(pen, one.image.name, pane.x + 8, pane.y + 8);
   });
   canvas.dataset["numbers"] = String(numbers);
+  canvas.dataset["outlined"] = content.outlined.map((box) => box.join()).join(" ");
 }

@@ -8,6 +8,8 @@ import { kCurves, type ViewState } from "./view_state";
 export interface PaintSettings {
   falseColour: boolean;
   diverging: boolean;
+  /** In units of the noise: a scale of its own, and NaN means that there is no noise. */
+  noise: boolean;
   log: boolean;
   scaleEnd: number;
   /** Indices of the channels that are shown: three for colour, otherwise one. */
@@ -20,6 +22,12 @@ export interface PaintSettings {
 }
 
 export const isMap = (image: ImageEntry): boolean => image.kind === "map";
+
+/** The end of the scale of a map; a measure in units of the noise means the same in all images. */
+function mapEnd(image: ImageEntry, view: ViewState, range: Range | undefined, largest: number) {
+  const fixed = image.scale_maximum ?? largest;
+  return view.scale === "fixed" || image.noise ? fixed : (range?.percentile ?? fixed);
+}
 
 /**
  * The settings of an image in a view. Maps and layers other than colour are shown in false colour,
@@ -36,14 +44,15 @@ export function paintSettings(
   const numbers = isMap(image) || layered;
   const largest = range ? Math.max(Math.abs(range.min), Math.abs(range.max)) : 1;
   const usual = isMap(image)
-    ? (image.scale_maximum ?? largest)
+    ? mapEnd(image, view, range, largest)
     : layered
       ? largest
       : 2 ** -view.exposure;
   return {
     falseColour: numbers || view.curve === "false",
     diverging: image.signed ?? (layered && (range?.min ?? 0) < 0),
-    log: view.log,
+    noise: image.noise ?? false,
+    log: view.log && !image.noise,
     scaleEnd: view.ends[image.name] ?? usual,
     channels: raster ? seenChannels(raster, view.channel) : [],
     luminance:

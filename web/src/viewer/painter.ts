@@ -1,5 +1,5 @@
 import { floatsOf, type Raster } from "../data/raster";
-import { scaleBytes } from "./colour_scales";
+import { kColourScales, scaleBytes, scaleOf } from "./colour_scales";
 import { kFragmentShader, kVertexShader } from "./shader";
 
 /** x, y, width, height. */
@@ -23,6 +23,8 @@ export interface Paint {
   luminance: boolean;
   falseColour: boolean;
   diverging: boolean;
+  /** NaN means that a value has no noise, and is hatched. */
+  noise: boolean;
   log: boolean;
   scaleEnd: number;
   zebra: boolean;
@@ -53,8 +55,9 @@ export class Painter {
     this.scales = gl.createTexture();
     gl.activeTexture(gl.TEXTURE0 + kScales);
     gl.bindTexture(gl.TEXTURE_2D, this.scales);
-    const rows = new Uint8Array([...scaleBytes(false), ...scaleBytes(true)]);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 256, 2, 0, gl.RGBA, gl.UNSIGNED_BYTE, rows);
+    const rows = new Uint8Array(kColourScales.flatMap((scale) => [...scaleBytes(scale)]));
+    const count = kColourScales.length;
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, 256, count, 0, gl.RGBA, gl.UNSIGNED_BYTE, rows);
     for (const name of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
       gl.texParameteri(gl.TEXTURE_2D, name, gl.NEAREST);
     ["first", "second", "third"].forEach((name, unit) => gl.uniform1i(this.uniform(name), unit));
@@ -164,6 +167,8 @@ export class Painter {
     setInt("isLuminance", p.luminance ? 1 : 0);
     setInt("falseColour", p.falseColour ? 1 : 0);
     setInt("isDiverging", p.diverging ? 1 : 0);
+    setInt("isNoise", p.noise ? 1 : 0);
+    set("scaleRow", (kColourScales.indexOf(scaleOf(p)) + 0.5) / kColourScales.length);
     setInt("isLog", p.log ? 1 : 0);
     setInt("zebra", p.zebra ? 1 : 0);
     gl.drawArrays(gl.TRIANGLES, 0, 3);

@@ -32,6 +32,8 @@ uniform int curve;            // 0 sRGB, 1 gamma, 2 linear
 uniform float inverseGamma;
 uniform bool falseColour;
 uniform bool isDiverging;
+uniform bool isNoise;          // NaN has no noise
+uniform float scaleRow;
 uniform bool isLog;
 uniform float scaleEnd;
 uniform bool zebra;
@@ -41,9 +43,17 @@ out vec4 seen;
 const vec3 kBad = vec3(1.0, 0.0, 1.0);
 const float kDecades = 4.0;   // of a logarithmic scale
 
+// How many of the values that were read have no noise.
+int withoutNoise = 0;
+
 float numberAt(uint bits, bool isHalf, inout bool bad) {
   uint exponent = isHalf ? (bits >> 10) & 31u : (bits >> 23) & 255u;
-  if (exponent == (isHalf ? 31u : 255u)) { bad = true; return 0.0; }
+  bool isNaN = (bits & (isHalf ? 1023u : 8388607u)) != 0u;
+  if (exponent == (isHalf ? 31u : 255u)) {
+    if (isNoise && isNaN) ++withoutNoise;
+    else bad = true;
+    return 0.0;
+  }
   return isHalf ? unpackHalf2x16(bits).x : uintBitsToFloat(bits);
 }
 
@@ -78,7 +88,7 @@ vec3 colouredScalar(float s) {
     t = sign(t) * max(0.0, 1.0 + log(abs(t)) / (log(10.0) * kDecades));
   if (zebra && beyond && stripes()) return vec3(t > 0.0 ? 0.0 : 1.0);
   float place = isDiverging ? 0.5 + 0.5 * clamp(t, -1.0, 1.0) : clamp(t, 0.0, 1.0);
-  return texture(scaleColours, vec2((place * 255.0 + 0.5) / 256.0, isDiverging ? 0.75 : 0.25)).rgb;
+  return texture(scaleColours, vec2((place * 255.0 + 0.5) / 256.0, scaleRow)).rgb;
 }
 
 void main() {
@@ -99,6 +109,10 @@ void main() {
       sum += pixelAt(min(ivec2(place + inside), size - 1), bad);
     }
   if (bad) { seen = vec4(kBad, 1.0); return; }
+  if (withoutNoise == taps * taps * (isColour ? 3 : 1)) {
+    seen = vec4(vec3(stripes() ? 0.42 : 0.3), 1.0);
+    return;
+  }
   vec3 v = sum / float(taps * taps);
   if (falseColour) { seen = vec4(colouredScalar(scalarOf(v)), 1.0); return; }
   if (isLuminance) v = vec3(scalarOf(v));

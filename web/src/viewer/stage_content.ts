@@ -1,7 +1,7 @@
 import type { Raster } from "../data/raster";
 import type { ImageEntry } from "../data/source";
 import { panesOf, type Pane, type Size } from "./geometry";
-import type { Range } from "./statistics";
+import type { Range, Region } from "./statistics";
 import type { Loaded } from "./use_rasters";
 import type { ViewState } from "./view_state";
 
@@ -31,6 +31,8 @@ export interface StageContent {
   /** A divider separates the two images, which share one pane. */
   swiping: boolean;
   marked: { x: number; y: number } | undefined;
+  /** x0, y0, x1, y1 of parts of the images that are outlined. */
+  outlined: Region[];
 }
 
 /** One pane for each image; the two images of a swipe both fill the stage. */

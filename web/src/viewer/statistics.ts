@@ -33,6 +33,8 @@ export const isWithin = ([x0, y0, x1, y1]: Region, { width, height }: Raster): b
 export interface Range {
   min: number;
   max: number;
+  /** A percentile of the magnitudes, where one was asked for. */
+  percentile?: number | undefined;
 }
 
 /** Range of the finite values of some channels; undefined if there are none. */

@@ -58,7 +58,8 @@ interface ChoiceProps {
   shown?: boolean;
   title: string;
   value: string;
-  choices: { value: string; label: string }[];
+  /** One that is off is shown, with a label that says why, and cannot be chosen. */
+  choices: { value: string; label: string; isOff?: boolean }[];
   onChange: (value: string) => void;
 }
 
@@ -68,7 +69,7 @@ export function ChoiceField({ label, shown, title, value, choices, onChange }: C
       <span class={shown ? "" : "unseen"}>{label}</span>
       <select value={value} title={title} onChange={(event) => onChange(event.currentTarget.value)}>
         {choices.map((one) => (
-          <option key={one.value} value={one.value}>
+          <option key={one.value} value={one.value} disabled={one.isOff}>
             {one.label}
           </option>
         ))}

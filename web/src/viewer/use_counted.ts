@@ -1,5 +1,6 @@
 import { useEffect, useState } from "preact/hooks";
 import type { Raster } from "../data/raster";
+import { differingPixels } from "./differing";
 import { channelErrors, type ChannelErrors } from "./region_metrics";
 import { statisticsOf, type Region, type Statistics } from "./statistics";
 import { worstOf, type Worst } from "./worst";
@@ -75,4 +76,13 @@ export const useChannelErrors = (
   useCounted(
     [a, b, region.join()],
     a && b ? (signal) => channelErrors(a, b, region, signal) : undefined,
+  );
+
+/** How many pixels of two images of one size differ. */
+export const useDiffering = (a: Raster | undefined, b: Raster | undefined): number | undefined =>
+  useCounted(
+    [a, b],
+    a && b && a.width === b.width && a.height === b.height
+      ? (signal) => differingPixels(a, b, signal)
+      : undefined,
   );

@@ -52,8 +52,9 @@ export function useFront(images: ImageEntry[], view: ViewState, blinking: boolea
   const [imageA, imageB] = [pair.a, pair.b].map((name) => images.find((one) => one.name === name));
   const chosen = images.find((image) => image.name === view.image) ?? images[0];
   const names = view.ticked.filter((name) => images.some((image) => image.name === name));
-  // A layer has no picture of its own to know errors by: its difference stands beside it.
-  const usual = [pair.a, pair.b, ...(view.layer ? [kDifference] : [])];
+  // Blinking shows a difference by itself. A layer has no picture of its own to know errors by.
+  const withDifference = view.mode === "side" || view.layer !== "";
+  const usual = [pair.a, pair.b, ...(withDifference ? [kDifference] : [])];
   const ticked = names.length > 0 ? names : usual.filter((name) => name !== "");
   const blink = useBlink(blinking, ticked);
   const front = (shift && imageB) || images.find((image) => image.name === blink) || chosen;

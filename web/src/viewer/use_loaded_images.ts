@@ -8,10 +8,12 @@ import { kDifference } from "./difference";
 import type { ImageHome } from "./extra_images";
 import { rangeOf, type Range, type Statistics } from "./statistics";
 import { useDifference } from "./use_difference";
-import type { Front } from "./use_front";
-import { knownStatistics, useStatistics, useWorst } from "./use_counted";
+import type { Front, Pair } from "./use_front";
+import { knownStatistics, useDiffering, useStatistics, useWorst } from "./use_counted";
 import { usePreviews } from "./use_previews";
+import { percentileOfPixels } from "./visible_range";
 import { isRaster, useRasters, type Loaded } from "./use_rasters";
+import { lackOfNoise, useVariances } from "./use_variances";
 import type { ViewState } from "./view_state";
 import type { Worst } from "./worst";
 
@@ -28,6 +30,10 @@ export interface LoadedImages {
   /** Statistics of the image in front. */
   statistics: Statistics | undefined;
   worst: Worst | undefined;
+  /** How many pixels of A and B differ. */
+  differing: number | undefined;
+  /** Why the difference cannot be divided by its noise; "" if it can. */
+  lackOfNoise: string;
   /** Range of an image in the channels that are seen; undefined until it is loaded and counted. */
   rangeFor: (image: ImageEntry) => Range | undefined;
 }
@@ -38,6 +44,29 @@ function unionOf(ranges: Range[]): Range | undefined {
     min: Math.min(...ranges.map((one) => one.min)),
     max: Math.max(...ranges.map((one) => one.max)),
   };
+}
+
+// Images do not change, so that each percentile is counted once.
+const percentiles = new WeakMap<Raster, Map<string, number | undefined>>();
+
+/** The percentile at which the scale of a map ends. */
+function mapPercentile(raster: Raster, view: ViewState): number | undefined {
+  if (view.scale === "fixed") return undefined;
+  const channels = seenChannels(raster, view.channel);
+  const key = `${view.scale} ${channels.join()}`;
+  const known = percentiles.get(raster) ?? new Map<string, number | undefined>();
+  percentiles.set(raster, known);
+  if (!known.has(key)) known.set(key, percentileOfPixels(raster, channels, Number(view.scale)));
+  return known.get(key);
+}
+
+/** The range of images in the channels that are seen; undefined until one of them is counted. */
+function rangeOfAll(images: (Raster | undefined)[], channel: string): Range | undefined {
+  const ranges = images.map((one) => {
+    const known = one && knownStatistics(one);
+    return known && rangeOf(known, seenChannels(one, channel));
+  });
+  return unionOf(ranges.filter((range) => range !== undefined));
 }
 
 /** The largest errors: of a map itself, otherwise of a result and a reference of equal size. */
@@ -53,6 +82,33 @@ function useErrors(
     isMapInFront ? map : sameSize ? result : undefined,
     isMapInFront ? undefined : reference,
   );
+}
+
+interface PairToShow {
+  home: ImageHome;
+  images: ImageEntry[];
+  view: ViewState;
+  pair: Pair;
+  /** Whether the difference is on the stage. */
+  isSeen: boolean;
+}
+
+/** The difference of A and B, and why it cannot be divided by its noise. */
+function usePairDifference(
+  { home, images, view, pair, isSeen }: PairToShow,
+  a: Raster | undefined,
+  b: Raster | undefined,
+): { difference: Loaded; lack: string } {
+  const lack = lackOfNoise(home, pair, view.layer, a, b);
+  const isOverNoise = isSeen && view.measure === "noise";
+  const variances = useVariances(home, images, pair, isOverNoise && lack === "");
+  const difference = useDifference(
+    isSeen ? a : undefined,
+    isSeen ? b : undefined,
+    view.measure,
+    isOverNoise && lack ? { problem: `${kDifference}: ${lack}` } : variances,
+  );
+  return { difference, lack };
 }
 
 /** Loads the images that are visible, the result and the reference, and counts them. */
@@ -74,10 +130,10 @@ export function useLoadedImages(
   };
   const [result, reference] = [loadedAs(pair.a), loadedAs(pair.b)];
   const isSeen = visible.some(({ name }) => name === kDifference);
-  const difference = useDifference(
-    isSeen ? result : undefined,
-    isSeen ? reference : undefined,
-    view.measure,
+  const { difference, lack } = usePairDifference(
+    { home, images, view, pair, isSeen },
+    result,
+    reference,
   );
   const rasters = new Map(files).set(kDifference, difference);
   const rasterOf = (image: ImageEntry | undefined): Raster | undefined => {
@@ -86,6 +142,7 @@ export function useLoadedImages(
   };
   const raster = rasterOf(front);
   const worst = useErrors(raster, result, reference, front !== undefined && isMap(front));
+  const differing = useDiffering(result, reference);
   const statistics = useStatistics(raster, undefined);
   const layered = view.layer !== "";
   useStatistics(layered ? result : undefined, undefined);
@@ -95,11 +152,9 @@ export function useLoadedImages(
     if (!own) return undefined;
     // Result and reference of a layer share one scale: a colour means the same value in both.
     const alike = layered && !isMap(image) ? [own, result, reference] : [own];
-    const ranges = alike.map((one) => {
-      const known = one && knownStatistics(one);
-      return known && rangeOf(known, seenChannels(one, view.channel));
-    });
-    return unionOf(ranges.filter((range) => range !== undefined));
+    const union = rangeOfAll(alike, view.channel);
+    if (!isMap(image)) return union;
+    return { ...(union ?? { min: -1, max: 1 }), percentile: mapPercentile(own, view) };
   };
   const known = raster ?? reference ?? result;
   const preview = front && previews.rasters.get(front.name);
@@ -116,6 +171,8 @@ export function useLoadedImages(
     layers,
     statistics,
     worst,
+    differing,
+    lackOfNoise: lack,
     rangeFor,
   };
 }

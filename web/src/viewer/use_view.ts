@@ -1,6 +1,6 @@
 import { useEffect, useRef, useState } from "preact/hooks";
 import { note, type Route } from "../route";
-import { parseView, viewQuery, type ViewState } from "./view_state";
+import { parseView, viewQuery, type Mode, type ViewState } from "./view_state";
 
 let writePending = (): void => undefined;
 
@@ -9,12 +9,15 @@ export const flushView = (): void => writePending();
 
 const kWriteDelay_ms = 250; // browsers allow about a hundred changes of the address in 30 seconds
 
-/** The view, kept equal to the address: its own changes are written there after a short delay. */
-export function useView(route: Route): [ViewState, (view: ViewState) => void] {
-  const [view, setView] = useState(() => parseView(route.query));
-  const written = useRef(JSON.stringify(viewQuery(view)));
+/**
+ * The view, kept equal to the address: its own changes are written there after a short delay. `usual` is
+ * the mode of an address that names none.
+ */
+export function useView(route: Route, usual: Mode): [ViewState, (view: ViewState) => void] {
+  const [view, setView] = useState(() => parseView(route.query, usual));
+  const written = useRef(JSON.stringify(viewQuery(view, usual)));
   const timer = useRef<ReturnType<typeof setTimeout> | undefined>(undefined);
-  const address = JSON.stringify(viewQuery(parseView(route.query)));
+  const address = JSON.stringify(viewQuery(parseView(route.query, usual), usual));
   useEffect(() => {
     if (address === written.current) return;
     // A link was followed: a change that is not written yet belongs to the address before it.
@@ -22,7 +25,7 @@ export function useView(route: Route): [ViewState, (view: ViewState) => void] {
     timer.current = undefined;
     writePending = () => undefined;
     written.current = address;
-    setView(parseView(route.query));
+    setView(parseView(route.query, usual));
   }, [address]);
   useEffect(
     () => () => {
@@ -40,8 +43,8 @@ export function useView(route: Route): [ViewState, (view: ViewState) => void] {
         clearTimeout(timer.current);
         timer.current = undefined;
         writePending = () => undefined;
-        written.current = JSON.stringify(viewQuery(next));
-        note(viewQuery(next));
+        written.current = JSON.stringify(viewQuery(next, usual));
+        note(viewQuery(next, usual));
       };
       timer.current = setTimeout(writePending, kWriteDelay_ms);
     },

@@ -15,7 +15,15 @@ export const kMeasures = [
   "srgb8",
   "ssim",
   "flip",
+  "noise",
 ] as const;
+
+/**
+ * Where the colour scales of maps end: at a percentile of the magnitudes of their pixels, or at a number that
+ * is the same for all images.
+ */
+export const kScaleEnds = ["99", "95", "99.9", "100", "fixed"] as const;
+export type ScaleEnd = (typeof kScaleEnds)[number];
 
 export interface ViewState {
   image: string; // name of the image in front
@@ -39,6 +47,7 @@ export interface ViewState {
   percentile: number; // of what is visible, to which Normalise sets the range; 100: all of it
   ticked: string[]; // names of the images of blink and side by side
   region: [number, number, number, number] | undefined; // x0, y0, x1, y1; the ends are exclusive
+  scale: ScaleEnd; // of maps
   ends: Record<string, number>; // by image: end of its colour scale, if it was changed
 }
 
@@ -64,6 +73,7 @@ export const kDefaultView: ViewState = {
   percentile: 100,
   ticked: [],
   region: undefined,
+  scale: "99",
   ends: {},
 };
 
@@ -79,7 +89,12 @@ export const kPercentiles: readonly number[] = [100, 99.9, 99, 95, 90];
 export const kModes: readonly Mode[] = ["flip", "swipe", "side"];
 export const kCurves: readonly Curve[] = ["srgb", "gamma", "linear", "false"];
 
-export function parseView(query: Record<string, string>): ViewState {
+/** The mode of an address that names none. One that names an image shows that image. */
+const modeWithout = (image: string | undefined, usual: Mode): Mode =>
+  image && image !== kDefaultView.image ? "flip" : usual;
+
+/** The view of an address; `usual` is the mode in which the target opens. */
+export function parseView(query: Record<string, string>, usual: Mode = "flip"): ViewState {
   const region = (query["region"] ?? "").split(",").map(Number);
   const ends: Record<string, number> = {};
   for (const part of (query["ends"] ?? "").split("|")) {
@@ -92,7 +107,7 @@ export function parseView(query: Record<string, string>): ViewState {
     b: query["b"] || kDefaultView.b,
     measure: oneOf(query["diff"], kMeasures, "signed"),
     more: query["more"] ? query["more"].split("|") : [],
-    mode: oneOf(query["mode"], kModes, "flip"),
+    mode: oneOf(query["mode"], kModes, modeWithout(query["img"], usual)),
     zoom: Math.min(512, Math.max(0, finite(query["zoom"], 0))),
     x: finite(query["x"], 0),
     y: finite(query["y"], 0),
@@ -111,14 +126,15 @@ export function parseView(query: Record<string, string>): ViewState {
       region.length === 4 && region.every(Number.isInteger)
         ? (region as [number, number, number, number])
         : undefined,
+    scale: oneOf(query["scale"], kScaleEnds, "99"),
     ends,
   };
 }
 
 const short = (value: number): string => String(Number(value.toPrecision(7)));
 
-/** The query that describes `view`; "" for defaults. */
-export function viewQuery(view: ViewState): Record<string, string> {
+/** The query that describes `view`; "" for defaults. `usual` is that of parseView. */
+export function viewQuery(view: ViewState, usual: Mode = "flip"): Record<string, string> {
   const unless = (value: number, usual: number): string => (value === usual ? "" : short(value));
   return {
     img: view.image === kDefaultView.image ? "" : view.image,
@@ -126,7 +142,7 @@ export function viewQuery(view: ViewState): Record<string, string> {
     b: view.b === kDefaultView.b ? "" : view.b,
     diff: view.measure === "signed" ? "" : view.measure,
     more: view.more.join("|"),
-    mode: view.mode === "flip" ? "" : view.mode,
+    mode: view.mode === modeWithout(view.image, usual) ? "" : view.mode,
     zoom: unless(view.zoom, 0),
     x: view.zoom ? short(view.x) : "",
     y: view.zoom ? short(view.y) : "",
@@ -142,6 +158,7 @@ export function viewQuery(view: ViewState): Record<string, string> {
     pct: unless(view.percentile, 100),
     tick: view.ticked.join("|"),
     region: view.region ? view.region.join(",") : "",
+    scale: view.scale === "99" ? "" : view.scale,
     ends: Object.entries(view.ends)
       .map(([name, end]) => `${name}:${short(end)}`)
       .join("|"),

@@ -16,6 +16,34 @@ export function visiblePixels(view: ViewState, pane: Size, image: Size): Region 
   return [x0, y0, x1, y1];
 }
 
+/**
+ * The magnitude that `percent` of the pixels do not exceed; that of a pixel is the largest of these channels,
+ * as the painter shows it. Where it is 0, the largest one: errors that lie in few pixels are seen as well.
+ * Undefined if no pixel has a magnitude above 0. Of more than 262,144 pixels it looks at a regular grid.
+ */
+export function percentileOfPixels(
+  raster: Raster,
+  channels: number[],
+  percent: number,
+): number | undefined {
+  const { width, height } = raster;
+  const step = Math.max(1, Math.ceil(Math.sqrt((width * height) / kMostPixels)));
+  const values = new Float32Array(Math.ceil(width / step) * Math.ceil(height / step));
+  let count = 0;
+  for (let y = 0; y < height; y += step)
+    for (let x = 0; x < width; x += step) {
+      let largest = -1;
+      for (const channel of channels) {
+        const size = Math.abs(valueAt(raster, channel, y * width + x));
+        if (size < Infinity && size > largest) largest = size;
+      }
+      if (largest >= 0) values[count++] = largest;
+    }
+  const sorted = values.subarray(0, count).sort();
+  const rank = Math.max(0, Math.ceil((percent / 100) * count) - 1);
+  return sorted[rank] || sorted[count - 1] || undefined;
+}
+
 const kMostPixels = 1 << 18; // sorted in about 50 ms
 
 /**

@@ -10,8 +10,6 @@ export interface WorstPixel {
 export interface Worst {
   /** The worst pixels of separate spots, at least kApart pixels apart, in descending order. */
   pixels: WorstPixel[];
-  /** Number of pixels with an error above 0. */
-  count: number;
   /** The tile with the largest mean error: x0, y0, x1, y1, the ends exclusive. */
   tile: [number, number, number, number] | undefined;
 }
@@ -112,14 +110,12 @@ export async function worstOf(
   const spots = new Spots(raster.width, raster.height);
   const columns = Math.ceil(raster.width / kTile);
   const sums = new Float64Array(columns * Math.ceil(raster.height / kTile));
-  let count = 0;
   await forEachRow(raster, undefined, signal, (begin, end) => {
     const errors = errorsOf(raster, reference, begin, end);
     const row = Math.floor(begin / raster.width / kTile) * columns;
     for (let i = 0; i < errors.length; ++i) {
       const error = errors[i] ?? 0;
       if (!(error > 0)) continue;
-      ++count;
       const tile = row + Math.floor(((begin + i) % raster.width) / kTile);
       sums[tile] = (sums[tile] ?? 0) + Math.min(error, 1e30);
       spots.add(error, (begin + i) % raster.width, Math.floor((begin + i) / raster.width));
@@ -139,7 +135,6 @@ export async function worstOf(
   const y = Math.floor(best / columns) * kTile;
   return {
     pixels: spots.apart(),
-    count,
     tile:
       best < 0
         ? undefined
