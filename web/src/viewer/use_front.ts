@@ -2,9 +2,12 @@ import { useEffect, useMemo, useState } from "preact/hooks";
 import type { ImageEntry } from "../data/source";
 import { kDifference } from "./difference";
 import { useHeldKey } from "./held_key";
-import type { ViewState } from "./view_state";
+import { kDefaultView, type ViewState } from "./view_state";
 
 const kBlink_ms = 1000;
+
+/** The name of the image of a diagnosis whose fault can be undone (src/report/target_data.cpp). */
+const kFaultUndone = "fault undone";
 
 /** The name that blinking shows now; undefined while it is off. */
 function useBlink(on: boolean, names: string[]): string | undefined {
@@ -34,8 +37,24 @@ export interface Pair {
   b: string;
 }
 
+/**
+ * Side by side, a diagnosis is shown to the eye: the result, the reference, the result with the fault undone and
+ * what is left of the difference. Where a fault cannot be undone, the reference with it takes the place of the
+ * reference.
+ */
+function pairOfProof(images: ImageEntry[], view: ViewState): Pair | undefined {
+  const proof = images.find(({ kind }) => kind === "proof");
+  if (!proof || view.mode !== "side" || view.a !== kDefaultView.a || view.b !== kDefaultView.b)
+    return undefined;
+  return proof.name === kFaultUndone
+    ? { a: proof.name, b: kDefaultView.b }
+    : { a: kDefaultView.a, b: proof.name };
+}
+
 /** A is the result and B the reference, unless the view names others that are there. */
 export function pairOf(images: ImageEntry[], view: ViewState): Pair {
+  const proven = pairOfProof(images, view);
+  if (proven) return proven;
   const named = (name: string, kind: string): string =>
     (
       images.find((image) => image.name === name && image.kind !== "map") ??
@@ -54,7 +73,13 @@ export function useFront(images: ImageEntry[], view: ViewState, blinking: boolea
   const names = view.ticked.filter((name) => images.some((image) => image.name === name));
   // Blinking shows a difference by itself. A layer has no picture of its own to know errors by.
   const withDifference = view.mode === "side" || view.layer !== "";
-  const usual = [pair.a, pair.b, ...(withDifference ? [kDifference] : [])];
+  const proofs = view.mode === "side" ? images.filter(({ kind }) => kind === "proof") : [];
+  const pictures = proofs.length > 0 ? [kDefaultView.a, kDefaultView.b] : [pair.a, pair.b];
+  const usual = [
+    ...pictures,
+    ...proofs.map(({ name }) => name),
+    ...(withDifference ? [kDifference] : []),
+  ];
   const ticked = names.length > 0 ? names : usual.filter((name) => name !== "");
   const blink = useBlink(blinking, ticked);
   const front = (shift && imageB) || images.find((image) => image.name === blink) || chosen;
