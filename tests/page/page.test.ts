@@ -28,6 +28,7 @@ test("the overview shows each state as symbol and word, failures first", async (
     );
   const first = await page.locator(".row.target").first().innerText();
   assert.match(first, /crash/);
+  await page.locator(".declared summary").click();
   assert.match(await page.locator(".renderers").innerText(), /G5\/M8\/L4\/A4\s+G0\/M1\/L0\/A0/);
   assert.deepEqual(errors, []);
   await page.close();
