@@ -84,6 +84,7 @@ TargetDetail target_detail(const RunView& view, std::size_t index) {
                       .measures = target.measures,
                       .checks = target.checks,
                       .looks = target.looks,
+                      .wrong_regions = target.wrong_regions,
                       .images = images_of(target),
                       .reference_provenance = target.reference_provenance,
                       .jobs = {},

@@ -57,6 +57,7 @@ struct TargetDetail {
   std::vector<results::Measure> measures;
   std::vector<results::Check> checks;
   std::vector<results::LookRecord> looks;
+  std::vector<results::WrongRegion> wrong_regions;
   std::vector<ImageFile> images;
   std::map<std::string, std::string> reference_provenance;
   std::vector<Job> jobs;
@@ -78,6 +79,7 @@ void fields(Visitor& visit, Record& detail) {
   visit("measures", detail.measures);
   visit("checks", detail.checks);
   visit("looks", detail.looks);
+  visit("wrong_regions", detail.wrong_regions);
   visit("images", detail.images);
   visit("reference_provenance", detail.reference_provenance);
   visit("jobs", detail.jobs);

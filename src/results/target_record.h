@@ -58,6 +58,20 @@ void fields(Visitor& visit, Record& map) {
   visit("scale_maximum", map.scale_maximum);
 }
 
+/// A part of the image whose mean is wrong for certain.
+struct WrongRegion {
+  std::vector<double> where;  // x0, y0, x1, y1
+  std::string seen = {};      // name of what the scene shows there; "" where it shows several things
+  std::string text = {};      // "the far wall, 4 % too dark"
+};
+
+template <class Visitor, json::RecordOf<WrongRegion> Record>
+void fields(Visitor& visit, Record& region) {
+  visit.rectangle("where", region.where);
+  visit("seen", region.seen);
+  visit.required("text", region.text);
+}
+
 /// One condition that an image had to meet.
 struct Check {
   std::string what;  // "psnr_srgb8", "pixel [256,220,257,221]", "path ESDL"
@@ -130,8 +144,9 @@ struct TargetRecord {
   std::string expected;  // why the failure is known, or what is news about it; "" if none is expected
   std::vector<Measure> measures;
   std::vector<Check> checks;
-  std::vector<LookRecord> looks;     // none: its samples were fixed
-  std::vector<std::string> remarks;  // facts that change no verdict
+  std::vector<LookRecord> looks;           // none: its samples were fixed
+  std::vector<WrongRegion> wrong_regions;  // the largest first
+  std::vector<std::string> remarks;        // facts that change no verdict
   std::string diagnosis;  // which usual fault explains a failure, or that none does; "" if none was tried
   ProofRecord proof;      // of the diagnosis
   std::string hidden;     // what errors its noise hides; "" for none worth it
@@ -157,6 +172,7 @@ void fields(Visitor& visit, Record& target) {
   visit("measures", target.measures);
   visit("checks", target.checks);
   visit("looks", target.looks);
+  visit("wrong_regions", target.wrong_regions);
   visit("remarks", target.remarks);
   visit("diagnosis", target.diagnosis);
   visit("proof", target.proof);

@@ -12,6 +12,7 @@
 #include "metrics/merged_renders.h"
 #include "run/looks.h"
 #include "run/other_references.h"
+#include "run/wrong_regions.h"
 
 #include <algorithm>
 #include <array>
@@ -97,6 +98,13 @@ void leave_out(const std::vector<std::string>& remarks, TargetRecord& record) {
   std::erase_if(record.remarks, [&](const auto& remark) {
     return std::find(remarks.begin(), remarks.end(), remark) != remarks.end();
   });
+}
+
+// The scene that an image shows; nullptr of a difference of two.
+const scene::Scene* scene_of(const Plan& plan, const PlannedTarget& planned) {
+  const auto found = std::find_if(plan.scenes.begin(), plan.scenes.end(),
+                                  [&](const auto& one) { return one.name == planned.target; });
+  return found == plan.scenes.end() ? nullptr : found->scene.get();
 }
 
 // What is judged. Halves: of the samples of one that is rendered in looks, nullptr for fixed samples.
@@ -198,6 +206,8 @@ judge::Look judge_target(const Plan& plan,
   take_diagnosis(diagnosis_of(plan, one_case, image.image, *reference.image, folders, record),
                  folders.unfinished, record);
   if (results::names_a_fault(record)) leave_out(judgement.comparison->bias_remarks, record);
+  record.wrong_regions = wrong_regions(record, image.image, *reference.image,
+                                       judge::mask_of(one_case, record.target), scene_of(plan, planned));
   const auto relative = std::filesystem::path(record.renderer) / record.target;
   image::write_png(image::display_image(image.image), folders.unfinished / relative / "result.png");
   return look;

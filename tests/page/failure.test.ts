@@ -146,6 +146,26 @@ test("where an image states no variance, the page says so and offers no noise", 
   await page.close();
 });
 
+test("the largest region that is wrong for certain is named and outlined", async () => {
+  const { page } = await open(session.browser, "about:blank");
+  await page.route("**/data/*/target/*", async (route) => {
+    const detail = (await (await route.fetch()).json()) as Record<string, unknown>;
+    const regions = [
+      { where: [8, 8, 24, 24], seen: "left wall", text: "the left wall, 4 % too dark" },
+      { where: [0, 0, 8, 8], seen: "", text: "the upper left, 9 % too dark" },
+    ];
+    await route.fulfill({ json: { ...detail, wrong_regions: regions } });
+  });
+  await page.goto(`${session.url}${failing}`);
+  await drawn(page, "result reference difference");
+  assert.match(await page.locator(".verdict .reason").innerText(), /the left wall, 4 % too dark/);
+  assert.equal(
+    await page.locator(".stage .overlay").evaluate((one: HTMLElement) => one.dataset["outlined"]),
+    "8,8,24,24",
+  );
+  await page.close();
+});
+
 test("the number of differing pixels is that of a page in one file, which rounds to halves", async () => {
   const count = async (a: (x: number, y: number) => number, b: typeof a): Promise<string> => {
     const { page } = await open(session.browser, "about:blank");

@@ -13,7 +13,7 @@ import { Logs } from "./Logs";
 import { Measures } from "./Measures";
 import { useOtherImages } from "./other_images";
 import { PathToVerdict } from "./PathToVerdict";
-import { showsItsError } from "./opening";
+import { showsItsError, worstRegion } from "./opening";
 import { Provenance } from "./Provenance";
 import { Related } from "./Related";
 import { RenderRecord } from "./RenderRecord";
@@ -77,6 +77,7 @@ export function CasePage({ session, route }: { session: Session; route: Route })
         one={one}
         target={target}
         diagnosis={detail?.diagnosis ?? ""}
+        region={detail?.wrong_regions[0]?.text ?? ""}
         onMove={to}
       />
       {problem !== undefined ? <p role="alert">The target cannot be shown: {problem}</p> : null}
@@ -95,11 +96,14 @@ interface HeaderProps {
   one: CaseRecord;
   target: string;
   diagnosis: string;
+  /** What is wrong for certain in the largest part of the image; "" if nothing is known. */
+  region: string;
   onMove: (cell: number | undefined) => void;
 }
 
 /** The target, its verdict with the reason, and links to its neighbours. */
-function CaseHeader({ session, index, one, target, diagnosis, onMove }: HeaderProps) {
+function CaseHeader(props: HeaderProps) {
+  const { session, index, one, target, diagnosis, region, onMove } = props;
   const { overview } = session;
   const { previous, next, siblings } = neighbours(session, index);
   return (
@@ -134,7 +138,7 @@ function CaseHeader({ session, index, one, target, diagnosis, onMove }: HeaderPr
           </button>
         ))}
       </div>
-      <Verdict session={session} index={index} diagnosis={diagnosis} />
+      <Verdict session={session} index={index} diagnosis={diagnosis} region={region} />
     </header>
   );
 }
@@ -162,6 +166,7 @@ function Detail({ session, route, index, one, detail }: DetailProps) {
         images={detail.images}
         route={route}
         opensSideBySide={showsItsError(stateOf(session.overview, index), detail)}
+        outlined={worstRegion(detail)}
       />
       <div class="facts">
         <Related session={session} detail={detail} />

@@ -8,16 +8,23 @@ interface Props {
   index: number;
   /** Which usual fault explains a failure; "" if none was tried. */
   diagnosis: string;
+  /** What is wrong for certain in the largest part of the image; "" if nothing is known. */
+  region: string;
 }
 
 /** The verdict with its first reason, which is the diagnosis where the fault is known; the others are folded away. */
-export function Verdict({ session, index, diagnosis }: Props) {
+export function Verdict({ session, index, diagnosis, region }: Props) {
   const [first = "", ...others] = reasonOf(session.overview, index).split("; ");
   const goesOn = goesOnText(session.overview, index);
   return (
     <div class="reason">
       <StateMark state={stateOf(session.overview, index)} />{" "}
       {goesOn ? <span class="goes-on tone-active">{goesOn}</span> : null} {first}
+      {region ? (
+        <span class="wrong-region" title="outlined in the images; larger than noise for certain">
+          {region}
+        </span>
+      ) : null}
       {others.length > 0 ? (
         <details class="more-reasons">
           <summary>and {others.length} more</summary>
