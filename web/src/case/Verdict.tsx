@@ -19,12 +19,13 @@ export function Verdict({ session, index, diagnosis, region }: Props) {
   return (
     <div class="reason">
       <StateMark state={stateOf(session.overview, index)} />{" "}
-      {goesOn ? <span class="goes-on tone-active">{goesOn}</span> : null} {first}
+      {goesOn ? <span class="goes-on tone-active">{goesOn}</span> : null}
       {region ? (
-        <span class="wrong-region" title="outlined in the images; larger than noise for certain">
+        <b class="wrong-region" title="outlined in the images; larger than noise for certain">
           {region}
-        </span>
+        </b>
       ) : null}
+      {first}
       {others.length > 0 ? (
         <details class="more-reasons">
           <summary>and {others.length} more</summary>
