@@ -49,8 +49,14 @@ void scale(image::Image& image, std::array<int, 4> where, std::array<float, 3> f
 results::TargetRecord missed(const std::vector<std::pair<std::string, std::vector<double>>>& windows) {
   results::TargetRecord record;
   for (const auto& [name, where] : windows) {
-    record.measures.push_back({.name = name, .value = 0.1, .where = where});
-    record.checks.push_back({.what = name, .passed = false});
+    results::Measure measure;
+    measure.name = name;
+    measure.value = 0.1;
+    measure.where = where;
+    record.measures.push_back(measure);
+    results::Check check;
+    check.what = name;
+    record.checks.push_back(check);
   }
   return record;
 }
