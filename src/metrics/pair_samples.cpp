@@ -1,7 +1,5 @@
 #include "metrics/pair_samples.h"
 
-#include "metrics/rare_light.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -110,6 +108,20 @@ PairSamples pair_samples(const image::Image& result,
   samples.hit_size = hit_size(samples.result_variance, samples.included);
   samples.seen_variance_ratio = samples.variance_ratio;
   return samples;
+}
+
+std::array<double, 3> hit_size(const std::vector<float>& variances,
+                               const std::vector<std::uint8_t>& included) {
+  std::array<double, 3> hits{};
+  std::array<double, 3> sums{};
+  for (std::size_t i = 0; i < variances.size(); ++i) {
+    if (!included.empty() && included[i / 3] == 0) continue;
+    const double variance = variance_at(variances, i);
+    hits.at(i % 3) += variance * std::sqrt(variance);
+    sums.at(i % 3) += variance;
+  }
+  for (std::size_t c = 0; c < hits.size(); ++c) hits.at(c) = sums.at(c) > 0 ? hits.at(c) / sums.at(c) : 0;
+  return hits;
 }
 
 void count_samples(PairSamples& samples, double ratio) {

@@ -89,6 +89,12 @@ inline double variance_at(const std::vector<float>& variances, std::size_t sampl
   return variances.empty() ? 0.0 : static_cast<double>(variances[sample]);
 }
 
+/// What one of the hits brings that carry the noise, in sums over pixels and by channel; rare_light.h derives
+/// it. `variances` are those of the means of pixels, interleaved R, G, B; without any it is 0. `included`
+/// says which pixels count (1); empty: all.
+std::array<double, 3> hit_size(const std::vector<float>& variances,
+                               const std::vector<std::uint8_t>& included);
+
 /// Of the reference to its neighbours, for each sample of the row y: the larger step to either side, in x and
 /// y together. Times a length in px it is at least what an edge makes in a pixel when it lies so far away.
 void reference_steps(const PairSamples& samples, int y, std::vector<double>& steps);

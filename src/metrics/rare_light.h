@@ -3,10 +3,7 @@
 #include "base/rectangle.h"
 #include "metrics/pair_samples.h"
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
-#include <vector>
 
 namespace orbs::metrics {
 
@@ -18,21 +15,14 @@ namespace orbs::metrics {
 /// probability exp(-t / h). So a region that lacks less than h ln(1 / p) is not wrong with the certainty 1 -
 /// p.
 ///
-/// The size of a hit is sum(v^1.5) / sum(v) over the image, with v the variance of a pixel's mean: one
-/// hit of x in n samples adds x / n to the mean and (x / n)^2 to its variance. The weights make it that of
-/// the hits that carry the noise. Where the noise is even it is the deviation of a pixel, and ln(1 / p) of
-/// these are fewer than Student's reach over a window of 64.
+/// The size of a hit (hit_size in pair_samples.h) is sum(v^1.5) / sum(v) over the image, with v the variance
+/// of a pixel's mean: one hit of x in n samples adds x / n to the mean and (x / n)^2 to its variance. The
+/// weights make it that of the hits that carry the noise. Where the noise is even it is the deviation of a
+/// pixel, and ln(1 / p) of these are fewer than Student's reach over a window of 64.
 ///
 /// It counts only where the region does not know its noise: fewer than ten pixels carry its variance (of
 /// which the estimate is off by 45 %, sqrt(2 / 10)). A region with even noise that is too dark in one image
 /// with fireflies elsewhere is not excused.
-
-/// `variances` are those of the means of pixels, interleaved R, G, B; empty where the result does not state
-/// them, and all below is then 0.
-
-/// The size of a hit in sums over pixels, by channel. `included` says which pixels count (1); empty: all.
-std::array<double, 3> hit_size(const std::vector<float>& variances,
-                               const std::vector<std::uint8_t>& included);
 
 /// How much the sum over a region with this noise may be too small for want of hits of this size;
 /// `probability` is that of a right image to be smaller yet. 0 where the region knows its noise.
