@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include <fmt/format.h>
@@ -18,28 +19,32 @@ using results::Measure;
 using results::TargetRecord;
 using results::WrongRegion;
 
+// Means of R, G and B over the same pixels.
 struct Means {
-  std::array<double, 3> result{};  // sums over the same pixels of R, G and B, as good as means for shares
+  std::array<double, 3> result{};
   std::array<double, 3> reference{};
 };
 
 Means means_over(const std::vector<double>& where,
-                 const image::Image& result,
-                 const image::Image& reference,
-                 const metrics::Mask& mask) {
-  const auto included = metrics::included_pixels(mask, reference.width, reference.height);
-  const auto [of_result, of_reference] =
-      std::array{image::select_rgb(result, ""), image::select_rgb(reference, "")};
+                 const std::array<image::Image, 2>& rgb,
+                 const std::vector<std::uint8_t>& included) {
+  const auto& [result, reference] = rgb;
   Means means;
+  double count = 0;
   for (auto y = static_cast<std::size_t>(where[1]); y < static_cast<std::size_t>(where[3]); ++y)
     for (auto x = static_cast<std::size_t>(where[0]); x < static_cast<std::size_t>(where[2]); ++x) {
       const auto pixel = y * static_cast<std::size_t>(reference.width) + x;
       if (included[pixel] == 0) continue;
+      ++count;
       for (std::size_t c = 0; c < 3; ++c) {
-        means.result.at(c) += static_cast<double>(of_result.pixels[3 * pixel + c]);
-        means.reference.at(c) += static_cast<double>(of_reference.pixels[3 * pixel + c]);
+        means.result.at(c) += static_cast<double>(result.pixels[3 * pixel + c]);
+        means.reference.at(c) += static_cast<double>(reference.pixels[3 * pixel + c]);
       }
     }
+  for (std::size_t c = 0; c < 3; ++c) {
+    means.result.at(c) /= count;
+    means.reference.at(c) /= count;
+  }
   return means;
 }
 
@@ -50,8 +55,10 @@ std::string percent(double share) {
   return value < 99.5 ? fmt::format("{:.2g} %", value) : fmt::format("{:.0f} %", value);
 }
 
-// "4 % too dark". Where the brightness says less than half of what a channel does, it is the colour.
-std::string how_far_off(const Means& means) {
+// "4 % too dark". Where the brightness says less than half of what a channel does, it is the colour. A
+// channel counts in shares of the reference's mean there, at least of a tenth of the image's, as in
+// window_error_16px.
+std::string how_far_off(const Means& means, const std::array<double, 3>& of_image) {
   const auto& [result, reference] = means;
   const double level =
       share_of(result[0] + result[1] + result[2], reference[0] + reference[1] + reference[2]);
@@ -59,15 +66,15 @@ std::string how_far_off(const Means& means) {
   std::array<double, 3> shares{};
   double worst = 0;
   for (std::size_t c = 0; c < 3; ++c) {
-    shares.at(c) = share_of(result.at(c), reference.at(c));
-    if (std::isfinite(shares.at(c))) worst = std::max(worst, std::fabs(shares.at(c)));
+    const double of = std::max(reference.at(c), of_image.at(c) / 10);
+    if (of > 0) shares.at(c) = (result.at(c) - reference.at(c)) / of;
+    worst = std::max(worst, std::fabs(shares.at(c)));
   }
   if (2 * std::fabs(level) >= worst)
     return fmt::format("{} too {}", percent(level), level < 0 ? "dark" : "bright");
   std::string text = "of another colour:";
   for (std::size_t c = 0; c < 3; ++c)
-    if (std::isfinite(shares.at(c)))
-      text += fmt::format(" {} {}{}", "RGB"[c], shares.at(c) < 0 ? "-" : "+", percent(shares.at(c)));
+    text += fmt::format(" {} {}{}", "RGB"[c], shares.at(c) < 0 ? "-" : "+", percent(shares.at(c)));
   return text;
 }
 
@@ -116,13 +123,18 @@ std::vector<WrongRegion> wrong_regions(const TargetRecord& record,
                                        const metrics::Mask& mask,
                                        const scene::Scene* scene) {
   std::vector<WrongRegion> regions;
+  const std::array rgb{image::select_rgb(result, ""), image::select_rgb(reference, "")};
+  const auto included = metrics::included_pixels(mask, reference.width, reference.height);
+  const std::vector<double> all{0, 0, static_cast<double>(reference.width),
+                                static_cast<double>(reference.height)};
+  const auto of_image = means_over(all, rgb, included).reference;
   for (const auto& measure : record.measures) {
     if (!is_wrong_for_certain(record, measure)) continue;
     WrongRegion region{.where = measure.where};
     if (scene != nullptr) region.seen = scene::seen_by_most(*scene, points_in(measure.where));
     region.text =
         fmt::format("the {}, {}", region.seen.empty() ? place_of(measure.where, reference) : region.seen,
-                    how_far_off(means_over(measure.where, result, reference, mask)));
+                    how_far_off(means_over(measure.where, rgb, included), of_image));
     regions.push_back(std::move(region));
   }
   std::stable_sort(regions.begin(), regions.end(),

@@ -98,7 +98,7 @@ TEST(WrongRegions, OfAnotherColourAndBrightWhereItIsBlack) {
   scale(result, {24, 24, 40, 40}, {1.1F, 0.9F, 1});
   const auto record = missed({{"window_error_16px", {24, 24, 40, 40}}});
   EXPECT_EQ(run::wrong_regions(record, result, reference, {}, nullptr)[0].text,
-            "the middle, of another colour: R +10 % G -10 %");
+            "the middle, of another colour: R +10 % G -10 % B +0 %");
   EXPECT_EQ(run::wrong_regions(record, result, flat(0, 0, 0), {}, nullptr)[0].text,
             "the middle, bright where it is black");
 }
