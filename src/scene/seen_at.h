@@ -18,6 +18,6 @@ struct ImagePoint {
 /// instance, else of its mesh, with the material where the mesh shows several; or that of a light. All
 /// surfaces count as opaque. "" where no surface is seen by so many, and in scenes with shapes that are no
 /// triangles or with too many triangles to test each of them.
-std::string seen_by_most(const Scene& scene, const std::vector<ImagePoint>& points);
+std::string seen_by_most(const Scene& given, const std::vector<ImagePoint>& points);
 
 }  // namespace orbs::scene
