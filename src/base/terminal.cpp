@@ -49,4 +49,17 @@ int terminal_width(int descriptor) {
   return std::max<int>(size.ws_col, size.ws_col == 0 ? 0 : kLeast);
 }
 
+TerminalStyle terminal_style(int descriptor) {
+  const char* no_colour = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  const bool wanted = no_colour == nullptr || *no_colour == '\0';
+  const bool able = ::isatty(descriptor) == 1 && terminal != nullptr && std::string_view(terminal) != "dumb";
+  return {wanted && able, terminal_width(descriptor)};
+}
+
+std::string painted(std::string_view text, std::string_view colour, const TerminalStyle& style) {
+  if (!style.colour || colour.empty()) return std::string(text);
+  return std::string(colour) + std::string(text) + std::string(colour::kNone);
+}
+
 }  // namespace orbs

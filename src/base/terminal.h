@@ -33,6 +33,19 @@ void print_raw(std::FILE* file, std::string_view text);
 /// number from 20, else the width of the terminal; 0, no limit, for what is no terminal.
 int terminal_width(int descriptor);
 
+/// How lines for people look.
+struct TerminalStyle {
+  bool colour = false;  // ANSI escapes
+  int width = 0;        // columns of the terminal, see terminal_width; 0: no limit
+};
+
+/// Colour if `descriptor` is a terminal that supports it and the user did not set NO_COLOR
+/// (https://no-color.org), and the width of that terminal.
+TerminalStyle terminal_style(int descriptor);
+
+/// The text in this colour, or as it is where the style has no colour or the colour is empty.
+std::string painted(std::string_view text, std::string_view colour, const TerminalStyle& style);
+
 namespace colour {
 inline constexpr std::string_view kGreen = "\x1b[32m";
 inline constexpr std::string_view kRed = "\x1b[31m";

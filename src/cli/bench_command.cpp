@@ -27,9 +27,10 @@ void add_options(const command_line::Command& command, BenchOptions& options) {
                   "Samples per pixel of the large render; the small one takes 1/8 of them")
       .range(2, 1 << 20)
       .shows_default();
-  command.add_option("--size", options.bench.size_px, "Width and height in pixels")
+  command.add_option("--side", options.bench.size_px, "Width and height in pixels")
       .range(16, 8192)
       .shows_default();
+  refuse_size_in_pixels(command);
   command.add_option("--threads", options.bench.threads, "Threads of each renderer")
       .range(1, 1024)
       .shows_default();

@@ -26,7 +26,7 @@ int compare(const Options& options) {
   } else if (options.as_markdown) {
     print_clean("{}", history::comparison_markdown(comparison));
   } else {
-    print_clean("{}", history::comparison_text(comparison, terminal_width(STDOUT_FILENO)));
+    print_clean("{}", history::comparison_text(comparison, terminal_style(STDOUT_FILENO)));
   }
   return history::exit_status(comparison);
 }

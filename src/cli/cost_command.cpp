@@ -3,6 +3,7 @@
 #include "base/terminal.h"
 #include "cli/options.h"
 #include "cli/program.h"
+#include "cli/resume_hint.h"
 #include "cli/run_options.h"
 #include "results/host_record.h"
 #include "results/study_kinds.h"
@@ -14,6 +15,7 @@
 #include "studies/cost/study.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 namespace orbs::cli {
 
@@ -79,7 +81,8 @@ std::filesystem::path cost_file(const std::string& place) {
 }
 
 void report(const studies::CostRecord& record, const CostOptions& options) {
-  print_clean("{}", options.as_markdown ? studies::cost_markdown(record) : studies::cost_table(record));
+  print_clean("{}", options.as_markdown ? studies::cost_markdown(record)
+                                        : studies::cost_table(record, terminal_style(STDOUT_FILENO)));
 }
 
 // What an interrupted study had measured. Times of another machine are no part of the same study.
@@ -115,8 +118,9 @@ int measure(const command_line::Command& command,
   record = studies::measure_cost(plan, request, std::move(record), context);
   write_file(request.folder / "cost.csv", studies::cost_csv(record));
   report(record, options);
-  print_clean("all numbers: {}\nnext: orbs serve {}   (shows the curves in the browser)\n",
-              (request.folder / results::kCost.file).string(), request.folder.string());
+  print_clean("all numbers: {}\n{}", (request.folder / results::kCost.file).string(),
+              next_line(program.command_line, request.folder.string(), record.is_finished,
+                        "shows the curves in the browser"));
   return record.is_finished ? 0 : kInterrupted;
 }
 

@@ -9,6 +9,7 @@
 #include "studies/effects/report.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 namespace orbs::cli {
 
@@ -31,9 +32,10 @@ void add_options(const command_line::Command& command, EffectCostOptions& option
   command.add_option("--spp", options.effect_costs.spp, "Samples per pixel of each render")
       .range(8, 1 << 20)
       .shows_default();
-  command.add_option("--size", options.effect_costs.size_px, "Longer side of the images in pixels")
+  command.add_option("--side", options.effect_costs.size_px, "Longer side of the images in pixels")
       .range(16, 8192)
       .shows_default();
+  refuse_size_in_pixels(command);
   command
       .add_option(
           "-o,--output", options.output,
@@ -58,7 +60,8 @@ int measure(const command_line::Command& command,
   if (!list) return kInterrupted;
   write_file(file, studies::effect_cost_json(*list));
   print_clean("{}\nall numbers: {}\n",
-              options.as_markdown ? studies::effect_cost_markdown(*list) : studies::effect_cost_table(*list),
+              options.as_markdown ? studies::effect_cost_markdown(*list)
+                                  : studies::effect_cost_table(*list, terminal_width(STDOUT_FILENO)),
               file);
   return studies::all_agree(*list) ? 0 : 1;
 }

@@ -34,7 +34,7 @@ int show_history(const Options& options) {
   if (!options.page.empty()) write_file(options.page, report::history_page(history, steps));
   print_clean("{}", options.as_markdown
                         ? history::history_markdown(history, steps)
-                        : history::history_text(history, steps, terminal_width(STDOUT_FILENO)));
+                        : history::history_text(history, steps, terminal_style(STDOUT_FILENO)));
   const bool is_worse = std::any_of(steps.begin(), steps.end(), [](const history::Change& step) {
     return step.direction == history::Direction::Worse;
   });

@@ -40,6 +40,13 @@ void take_configuration(const std::string& named, const Program& program, run::F
   plan.configuration = configuration.file.string();
 }
 
+void refuse_size_in_pixels(const command_line::Command& command) {
+  command.refuse_option(
+      "--size",
+      "is a share of the scenes' size, which this command does not use; its images are given in "
+      "pixels: --side 64");
+}
+
 void refuse_without_sandbox(bool sandbox) {
   if (!sandbox) return;
   if (const auto reason = adapters::why_not_isolated(); !reason.empty()) throw InputError(reason);

@@ -28,6 +28,10 @@ void take_configuration(const std::string& named, const Program& program, run::F
 /// InputError when the settings ask for a sandbox that this machine cannot make.
 void refuse_without_sandbox(bool sandbox);
 
+/// For commands whose images have one side in pixels, --side: --size is a share of the scenes' size in all
+/// commands.
+void refuse_size_in_pixels(const command_line::Command& command);
+
 /// The values of a repeatable option as one comma-separated list.
 std::string joined_list(const std::vector<std::string>& values);
 

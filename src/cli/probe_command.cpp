@@ -24,9 +24,10 @@ struct ProbeOptions {
 void add_options(const command_line::Command& command, ProbeOptions& options) {
   constexpr int kMostThreads = 1024;
   add_settings(command, options.run, {"suite", "case", "scene", "renderer", "exec", "sandbox"});
-  command.add_option("--size", options.probe.most_px, "Longer side of the images in pixels")
+  command.add_option("--side", options.probe.most_px, "Longer side of the images in pixels")
       .range(16, 1024)
       .shows_default();
+  refuse_size_in_pixels(command);
   command.add_option("--spp", options.probe.spp, "Samples per pixel").range(1, 4096).shows_default();
   command.add_option("--threads", options.probe.threads, "Threads of each render")
       .range(1, kMostThreads)

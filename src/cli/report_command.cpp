@@ -1,6 +1,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/terminal.h"
+#include "base/text_table.h"
 #include "cli/program.h"
 #include "cli/show_runs.h"
 #include "report/page_file.h"
@@ -9,6 +10,7 @@
 #include <optional>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 namespace orbs::cli {
 
@@ -21,10 +23,33 @@ struct ReportOptions {
   bool exact = false;
 };
 
+// A report is one file, whereas runs and studies are folders: whoever names a folder is told a file in it.
+void check_report_file(const std::string& output) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(output, ignored))
+    throw InputError(fmt::format("-o {}: this is a folder, and a report is one file: -o {}", output,
+                                 (std::filesystem::path(output) / "report.html").string()));
+  check_output_file(output);
+}
+
+// Hundreds of lines would push what was written out of sight.
+void print_left_out(const std::vector<std::string>& files) {
+  constexpr std::size_t kMost = 5;
+  if (files.empty()) return;
+  const int width = terminal_width(STDOUT_FILENO);
+  const auto print = [&](const std::string& line) { print_clean("{}", wrapped_lines(line, width)); };
+  print(fmt::format("{} images are not in it ('orbs serve' shows them; --most-megabytes makes room):\n",
+                    files.size()));
+  const auto shown = files.size() <= kMost + 1 ? files.size() : kMost;
+  for (std::size_t i = 0; i < shown; ++i) print(fmt::format("- {}\n", files[i]));
+  if (shown < files.size()) print(fmt::format("- and {} more\n", files.size() - shown));
+}
+
 int write_report(const ReportOptions& options, const Program& program) {
   constexpr double kMegabyte = 1e6;
   constexpr double kRunMegabytes = 100;
   constexpr double kStudyMegabytes = 5;  // small enough for a mail
+  check_report_file(options.output);
   report::PageFileSettings settings;
   settings.bundle = program.folder / "web";
   settings.exact = options.exact;
@@ -38,10 +63,7 @@ int write_report(const ReportOptions& options, const Program& program) {
   write_file(options.output, page.text);
   print_clean("{}: {:.1f} MB, {} images\n", options.output, static_cast<double>(page.text.size()) / kMegabyte,
               page.images);
-  if (!page.left_out.empty())
-    print_clean("{} images are not in it ('orbs serve' shows them; --most-megabytes makes room):\n",
-                page.left_out.size());
-  for (const auto& file : page.left_out) print_clean("  {}\n", file);
+  print_left_out(page.left_out);
   return 0;
 }
 

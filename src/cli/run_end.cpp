@@ -112,9 +112,9 @@ void print_end(const results::RunRecord& record,
                 record.wall_seconds, folder.string());
   if (!settings.quiet)
     for (const auto& renderer : record.renderers) print_clean("{}", samples_text(record, renderer.name));
-  const auto is_cut = [](const auto& target) {
+  const auto is_cut = [&](const auto& target) {
     const auto reason = reason_text(target);
-    return report::line_reason(target.verdict, target.expectation, reason) != reason;
+    return report::line_reason(target.verdict, target.expectation, reason, style.width) != reason;
   };
   if (!settings.quiet && !settings.verbose &&
       std::any_of(record.targets.begin(), record.targets.end(), is_cut))

@@ -17,12 +17,24 @@ namespace orbs::cli {
 
 namespace {
 
+// The reason behind the line, or below it where there is no room for it.
+std::string with_reason(const std::string& line, const std::string& reason, int width) {
+  constexpr int kIndent = 6;
+  const auto both = fmt::format("{}  {}\n", line, reason);
+  if (width == 0 || display_width(both) <= static_cast<std::size_t>(width)) return both;
+  auto text = line + '\n';
+  for (const auto& part : wrapped(reason, static_cast<std::size_t>(std::max(width - kIndent, 1))))
+    text += fmt::format("{}{}\n", std::string(kIndent, ' '), part);
+  return text;
+}
+
 // "[ 3/28] cycles     101                pass            39.87 dB    12.3 s"; "" where nothing is to be said.
 std::string finished_line(std::size_t done,
                           std::size_t count,
                           const results::JobRecord& job,
                           const std::vector<results::TargetRecord>& targets,
-                          const registry::RunSettings& settings) {
+                          const registry::RunSettings& settings,
+                          int width) {
   // What was rendered and not judged for any case has no worse verdict than a pass.
   auto verdict = results::verdict_without_image(job.end.outcome).value_or(results::Verdict::Pass);
   auto expectation = results::Expectation::None;
@@ -41,14 +53,15 @@ std::string finished_line(std::size_t done,
   const bool good = results::passes(verdict) && expectation == results::Expectation::None;
   const bool fails = results::counts_as_failure(verdict, expectation);
   if (settings.quiet && !fails) return "";
-  auto line = fmt::format("[{:>{}}/{}] {:<10} {:<18} {:<14} {:>6} dB {:>7.1f} s", done,
-                          fmt::formatted_size("{}", count), count, job.identity.renderer, job.identity.scene,
-                          good && targets.empty() ? "rendered" : state, report::decibels(psnr),
-                          job.cost.wall_seconds);
-  if (!good)
-    line +=
-        fmt::format("  {}", settings.verbose ? reason : report::line_reason(verdict, expectation, reason));
-  return clean_line(line);
+  const auto line = fmt::format("[{:>{}}/{}] {:<10} {:<18} {:<14} {:>6} dB {:>7.1f} s", done,
+                                fmt::formatted_size("{}", count), count, job.identity.renderer,
+                                job.identity.scene, good && targets.empty() ? "rendered" : state,
+                                report::decibels(psnr), job.cost.wall_seconds);
+  if (good) return clean_line(line) + '\n';
+  return with_reason(
+      clean_line(line),
+      clean_line(settings.verbose ? reason : report::line_reason(verdict, expectation, reason, width)),
+      width);
 }
 
 bool is_terminal() {
@@ -104,23 +117,21 @@ void RunProgress::finished(std::size_t done,
   count_ = count;
   running_.erase(job.identity.id);
   left_.ended(job.identity.id, job.cost.wall_seconds);
-  const auto line = finished_line(done, count, job, targets, settings_);
-  if (line.empty())
+  const auto lines = finished_line(done, count, job, targets, settings_, width_);
+  if (lines.empty())
     draw();
   else
-    print(line);
+    print(lines);
 }
 
 void RunProgress::say(const std::string& line) {
   const std::lock_guard lock(mutex_);
-  print(clean_line(line));
+  print(wrapped_lines(clean_line(line), width_));
 }
 
-void RunProgress::print(const std::string& line) {
+void RunProgress::print(const std::string& lines) {
   clear();
-  const auto parts = wrapped(line, static_cast<std::size_t>(width_));
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    print_clean(stderr, "{}{}\n", i == 0 ? "" : "    ", parts[i]);
+  print_clean(stderr, "{}", lines);
   draw();
 }
 

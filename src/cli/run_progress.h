@@ -40,7 +40,7 @@ class RunProgress {
   };
 
   // All of these hold the lock.
-  void print(const std::string& line);
+  void print(const std::string& lines);  // with their ends
   void draw();
   void clear();
   std::string bar() const;

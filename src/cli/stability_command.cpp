@@ -4,6 +4,7 @@
 #include "base/text_table.h"
 #include "cli/options.h"
 #include "cli/program.h"
+#include "cli/resume_hint.h"
 #include "cli/run_options.h"
 #include "results/study_kinds.h"
 #include "run/plan/make_plan.h"
@@ -15,6 +16,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 namespace orbs::cli {
 
@@ -34,9 +36,10 @@ void add_study_options(const command_line::Command& command, StabilityOptions& o
   add_settings(command, options.run, {"suite", "case", "scene", "requirement", "renderer", "sandbox"});
   command.add_option("--relation", options.relations, "Relations, by name or pattern (default: all)")
       .separated_by(',');
-  command.add_option("--size", options.settings.size_px, "Longer side of the images in pixels")
+  command.add_option("--side", options.settings.size_px, "Longer side of the images in pixels")
       .range(8, 1024)
       .shows_default();
+  refuse_size_in_pixels(command);
   command.add_option("--spp", options.settings.spp, "Samples per pixel").range(2, 1 << 16).shows_default();
   command.add_option("--seeds", options.settings.seeds, "Pairs of images of each step")
       .range(2, 1024)
@@ -74,7 +77,8 @@ std::filesystem::path stability_file(const std::string& place) {
 }
 
 void print(const studies::StabilityRecord& record, bool as_markdown) {
-  print_clean("{}", as_markdown ? studies::stability_markdown(record) : studies::stability_table(record));
+  print_clean("{}", as_markdown ? studies::stability_markdown(record)
+                                : studies::stability_table(record, terminal_style(STDOUT_FILENO)));
 }
 
 int status_of(const studies::StabilityRecord& record) { return studies::all_hold(record) ? 0 : 1; }
@@ -125,8 +129,9 @@ int measure(const command_line::Command& command,
   }
   record = studies::measure_stability(plan, request, std::move(record), context);
   print(record, options.as_markdown);
-  print_clean("all numbers: {}\nnext: orbs serve {}   (shows the breaks in the browser)\n",
-              (request.folder / results::kStability.file).string(), request.folder.string());
+  print_clean("all numbers: {}\n{}", (request.folder / results::kStability.file).string(),
+              next_line(program.command_line, request.folder.string(), record.is_finished,
+                        "shows the breaks in the browser"));
   return record.is_finished ? status_of(record) : kInterrupted;
 }
 

@@ -184,6 +184,12 @@ Option Command::add_flag(const std::string& names, bool& value, const std::strin
   return Option(*app_->add_flag(names, value, text));
 }
 
+void Command::refuse_option(const std::string& name, const std::string& message) const {
+  app_->add_option_function<std::string>(name, [](const std::string& /*value*/) {})
+      ->check({[=](const std::string& /*value*/) { return message; }, ""})
+      ->group("");
+}
+
 Command Command::add_command(const std::string& name,
                              const std::string& text,
                              const std::string& group) const {
@@ -216,8 +222,9 @@ std::string Command::footer() const { return app_->get_footer(); }
 std::vector<OptionText> Command::options() const {
   std::vector<OptionText> texts;
   for (const auto* option : app_->get_options())
-    texts.push_back({option->get_snames(), option->get_lnames(), option->get_name(true),
-                     option->get_description(), value_of(*option)});
+    if (!option->get_group().empty())
+      texts.push_back({option->get_snames(), option->get_lnames(), option->get_name(true),
+                       option->get_description(), value_of(*option)});
   return texts;
 }
 

@@ -86,6 +86,8 @@ class Command {
                     const std::string& text) const;
   /// "--log,!--no-log": --no-log sets it to false.
   Option add_flag(const std::string& names, bool& value, const std::string& text) const;
+  /// An option of earlier versions: not in the help, and refused with this message whatever its value is.
+  void refuse_option(const std::string& name, const std::string& message) const;
   Command add_command(const std::string& name, const std::string& text, const std::string& group = "") const;
 
   /// The option of this long name, which there must be.

@@ -1,6 +1,7 @@
 #include "history/comparison_text.h"
 
 #include "base/text_table.h"
+#include "history/change_colours.h"
 #include "json/writer.h"
 
 #include <algorithm>
@@ -37,6 +38,12 @@ std::string headline(const RunComparison& comparison) {
   return text;
 }
 
+// Of the worst that was found.
+std::string_view headline_colour(const RunComparison& comparison) {
+  if (exit_status(comparison) != 0) return colour::kRed;
+  return count_of(comparison, Direction::Better) > 0 ? colour::kGreen : "";
+}
+
 std::string what_was_compared(const RunComparison& comparison) {
   return fmt::format(
       "{} targets, {} tests of numbers. Of equal programs on an equal machine, 1 comparison in {:.0f} calls any "
@@ -46,14 +53,14 @@ std::string what_was_compared(const RunComparison& comparison) {
 
 }  // namespace
 
-std::string comparison_text(const RunComparison& comparison, int width) {
+std::string comparison_text(const RunComparison& comparison, const TerminalStyle& style) {
   std::string text;
-  const auto add = [&](const std::string& line) {
-    text += fmt::format("{}\n", fmt::join(wrapped(line, static_cast<std::size_t>(width)), "\n"));
-  };
-  add(fmt::format("{} against {}: {}", comparison.after, comparison.before, headline(comparison)));
+  const auto add = [&](const std::string& line) { text += wrapped_lines(line + '\n', style.width); };
+  add(fmt::format("{} against {}: {}", comparison.after, comparison.before,
+                  painted(headline(comparison), headline_colour(comparison), style)));
   if (!comparison.changes.empty())
-    text += fmt::format("\n{}\n", text_table(rows_of(comparison), {}, {width, {}}));
+    text += fmt::format("\n{}\n", text_table(rows_of(comparison), {},
+                                             {style.width, direction_colours(comparison.changes, style)}));
   add(what_was_compared(comparison));
   for (const auto& note : comparison.notes) add(note);
   return text;

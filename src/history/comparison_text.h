@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/terminal.h"
 #include "history/compare_runs.h"
 
 #include <string>
@@ -9,7 +10,7 @@
 namespace orbs::history {
 
 /// A line on what was compared, a table of all changes, and what was not compared.
-std::string comparison_text(const RunComparison& comparison, int width);
+std::string comparison_text(const RunComparison& comparison, const TerminalStyle& style);
 
 /// The same for a pull request.
 std::string comparison_markdown(const RunComparison& comparison);

@@ -1,7 +1,9 @@
 #include "history/history_text.h"
 
 #include "base/text_table.h"
+#include "history/change_colours.h"
 #include "history/steps.h"
+#include "results/state_colour.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +38,8 @@ std::vector<TableRow> step_rows(const std::vector<Change>& steps) {
   return rows;
 }
 
+constexpr std::size_t kNow = 3;  // column of the newest verdict in target_rows
+
 std::vector<TableRow> target_rows(const History& history) {
   std::vector<TableRow> rows{
       {"", "renderer", "target", "now", "dB", "median", "CPU s", "median", "runs with each verdict"}};
@@ -47,6 +51,49 @@ std::vector<TableRow> target_rows(const History& history) {
                     summary.states + (summary.is_flaky ? "; flaky" : "")});
   }
   return rows;
+}
+
+// The same on narrow terminals: what is the newest verdict stands among the counts.
+std::vector<TableRow> narrow_target_rows(const History& history) {
+  auto rows = target_rows(history);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    auto& row = rows[i];
+    const auto counts = fmt::format(", {}", row.back());
+    if (i > 0 && row.back().find(',') != std::string::npos) {
+      const auto newest = counts.find(fmt::format(", {} ", row[kNow]));
+      const auto end = std::min(counts.find_first_of(",;", newest + 2), counts.size());
+      row.back().insert(end - 2, " (now)");
+    }
+    row.erase(row.begin() + kNow);
+  }
+  rows.front().back() = "verdicts";
+  return rows;
+}
+
+// Of the newest verdict of each target, and of how steady it was.
+CellColours state_colours(const History& history,
+                          std::size_t now,
+                          std::size_t last,
+                          const TerminalStyle& style) {
+  CellColours colours;
+  if (!style.colour) return colours;
+  for (std::size_t i = 0; i < history.series.size(); ++i) {
+    const auto& series = history.series[i];
+    if (series.points.empty()) continue;
+    if (is_flaky(series)) colours[{i + 1, last}] = colour::kYellow;
+    const auto& newest = series.points.back();
+    colours[{i + 1, now}] = results::state_colour(newest.verdict, newest.expectation);
+  }
+  return colours;
+}
+
+std::string target_table(const History& history, const TerminalStyle& style) {
+  auto rows = target_rows(history);
+  const auto last = rows.front().size() - 1;
+  if (fits(rows, style.width))
+    return text_table(rows, {}, {style.width, state_colours(history, kNow, last, style)});
+  return text_table(narrow_target_rows(history), {},
+                    {style.width, state_colours(history, last - 1, last - 1, style)});
 }
 
 std::vector<std::string> remarks(const History& history) {
@@ -94,15 +141,16 @@ std::vector<std::string> flaky_targets(const History& history) {
   return {names.begin(), names.end()};
 }
 
-std::string history_text(const History& history, const std::vector<Change>& steps, int width) {
+std::string history_text(const History& history,
+                         const std::vector<Change>& steps,
+                         const TerminalStyle& style) {
   std::string text;
-  const auto add = [&](const std::string& line) {
-    text += fmt::format("{}\n", fmt::join(wrapped(line, static_cast<std::size_t>(width)), "\n"));
-  };
+  const auto add = [&](const std::string& line) { text += wrapped_lines(line + '\n', style.width); };
   add(headline(history));
   text += '\n';
-  if (!steps.empty()) text += text_table(step_rows(steps), {}, {width, {}}) + "\n";
-  text += text_table(target_rows(history), {}, {width, {}}) + "\n";
+  if (!steps.empty())
+    text += text_table(step_rows(steps), {}, {style.width, direction_colours(steps, style)}) + "\n";
+  text += target_table(history, style) + "\n";
   for (const auto& line : remarks(history)) add(line);
   return text;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/terminal.h"
 #include "history/change.h"
 #include "history/series.h"
 #include "results/verdict.h"
@@ -30,7 +31,9 @@ std::string headline(const History& history);
 std::vector<std::string> flaky_targets(const History& history);
 
 /// Steps, the worst first; flaky targets; a line for each target; what was left out.
-std::string history_text(const History& history, const std::vector<Change>& steps, int width);
+std::string history_text(const History& history,
+                         const std::vector<Change>& steps,
+                         const TerminalStyle& style);
 
 /// The same as Markdown.
 std::string history_markdown(const History& history, const std::vector<Change>& steps);

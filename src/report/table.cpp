@@ -6,10 +6,10 @@
 #include "history/comparison_text.h"
 #include "report/hints.h"
 #include "report/short_reason.h"
+#include "results/state_colour.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <set>
 #include <utility>
@@ -17,7 +17,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 namespace orbs::report {
 
@@ -28,14 +27,6 @@ using results::Expectation;
 using results::RunRecord;
 using results::Verdict;
 
-std::string_view ansi_colour(Verdict verdict, Expectation expectation) {
-  if (expectation == Expectation::Known) return colour::kGreen;
-  if (expectation == Expectation::News) return colour::kRed;
-  if (passes(verdict)) return colour::kGreen;
-  if (verdict == Verdict::Unsupported || verdict == Verdict::Skipped) return colour::kFaint;
-  return verdict == Verdict::Inconclusive ? colour::kYellow : colour::kRed;
-}
-
 // Rows with the verdict's colour of some cells.
 struct PaintedRows {
   std::vector<TableRow> rows;
@@ -45,7 +36,7 @@ struct PaintedRows {
   void add(std::string cell, Verdict verdict, Expectation expectation) {
     rows.back().push_back(std::move(cell));
     if (has_colour)
-      look.colours[{rows.size() - 1, rows.back().size() - 1}] = ansi_colour(verdict, expectation);
+      look.colours[{rows.size() - 1, rows.back().size() - 1}] = state_colour(verdict, expectation);
   }
   std::string text() const { return text_table(rows, {}, look); }
 
@@ -56,16 +47,14 @@ std::string cell_text(const Cell& cell) {
   return fmt::format("{:>6} {}", decibels(cell.lowest_psnr_db), state_name(cell.verdict, cell.expectation));
 }
 
-// The columns of `renderers`.
-std::string requirement_table(const RunRecord& run,
-                              const std::vector<results::RendererRecord>& renderers,
-                              const TableStyle& style) {
+// As many renderers side by side as the terminal has room for, the next ones below.
+std::string requirement_tables(const RunRecord& run, const TableStyle& style) {
   PaintedRows table(style);
   auto& head = table.rows.emplace_back(TableRow{"", "requirement"});
-  for (const auto& renderer : renderers) head.push_back(fmt::format("    dB {}", renderer.name));
+  for (const auto& renderer : run.renderers) head.push_back(fmt::format("    dB {}", renderer.name));
   for (const auto& requirement : run.requirements) {
     table.rows.push_back({requirement.code, requirement.title});
-    for (const auto& renderer : renderers) {
+    for (const auto& renderer : run.renderers) {
       const auto cell = requirement.cells.find(renderer.name);
       if (cell == requirement.cells.end()) {
         table.rows.back().emplace_back();
@@ -74,31 +63,7 @@ std::string requirement_table(const RunRecord& run,
       }
     }
   }
-  return table.text();
-}
-
-std::size_t widest_line(const std::string& text) {
-  std::size_t widest = 0;
-  for (const auto& line : split(text, '\n')) widest = std::max(widest, display_width(line));
-  return widest;
-}
-
-// As many renderers side by side as the terminal has room for, the next ones below.
-std::string requirement_tables(const RunRecord& run, const TableStyle& style) {
-  std::string text;
-  for (std::size_t from = 0; from < run.renderers.size() || text.empty();) {
-    auto count = run.renderers.size() - from;
-    const auto table_of = [&](int width) {
-      const auto first = run.renderers.begin() + static_cast<std::ptrdiff_t>(from);
-      return requirement_table(run, {first, first + static_cast<std::ptrdiff_t>(count)},
-                               {style.colour, width, true});
-    };
-    while (style.width > 0 && count > 1 && widest_line(table_of(0)) > static_cast<std::size_t>(style.width))
-      --count;
-    text += fmt::format("{}{}", text.empty() ? "" : "\n", table_of(0));
-    from += std::max<std::size_t>(count, 1);
-  }
-  return text;
+  return text_tables(table.rows, 2, table.look);
 }
 
 // Requirements that are judged by the same image have the same number in the table, which looks like a
@@ -190,9 +155,9 @@ std::string verdict_lines(const RunRecord& run, const TableStyle& style) {
   for (const auto& target : run.targets) {
     const bool is_fine = passes(target.verdict) && target.expectation == Expectation::None;
     if (is_fine || target.verdict == Verdict::Skipped) continue;
-    const auto reason = style.whole_reasons
-                            ? reason_text(target)
-                            : line_reason(target.verdict, target.expectation, reason_text(target));
+    const auto reason = style.whole_reasons ? reason_text(target)
+                                            : line_reason(target.verdict, target.expectation,
+                                                          reason_text(target), style.width);
     if (std::none_of(told.begin(), told.end(), [&](auto& shared) { return take_in(shared, target, reason); }))
       told.push_back({&target, reason, {target.requirement}, {target.target}});
   }
@@ -278,11 +243,8 @@ std::string hidden_lines(const RunRecord& run, const TableStyle& style) {
 }  // namespace
 
 TableStyle style_for(int descriptor) {
-  const char* no_colour = std::getenv("NO_COLOR");
-  const char* terminal = std::getenv("TERM");
-  const bool wanted = no_colour == nullptr || *no_colour == '\0';
-  const bool able = ::isatty(descriptor) == 1 && terminal != nullptr && std::string_view(terminal) != "dumb";
-  return {wanted && able, terminal_width(descriptor), true};
+  const auto style = terminal_style(descriptor);
+  return {style.colour, style.width, true};
 }
 
 std::string decibels(const std::optional<double>& value) {

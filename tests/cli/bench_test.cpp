@@ -12,7 +12,7 @@ TEST(Bench, PrintsATableAndWritesAllNumbers) {
   const Sandbox sandbox;
   const auto answer =
       sandbox.orbs({"bench", "--configuration", ORBS_SOURCE_DIR "/configuration.json", "--only", "orbs",
-                    "--size", "32", "--spp", "256", "--rounds", "2", "--threads", "1"});
+                    "--side", "32", "--spp", "256", "--rounds", "2", "--threads", "1"});
   ASSERT_EQ(answer.status, 0) << answer.text;
   EXPECT_NE(answer.text.find("million camera paths per CPU second"), std::string::npos) << answer.text;
   const auto document = json::parse("bench.json", sandbox.read("bench.json"));
@@ -46,7 +46,7 @@ TEST(Bench, PrintsATableAndWritesAllNumbers) {
 TEST(Bench, ARendererThatGivesNoImageIsNamedWithItsLastWords) {
   const Sandbox sandbox;
   sandbox.write("data/bench/cornell-box.json", sandbox.read("cases/m1_grey/grey.json"));
-  const auto answer = sandbox.orbs({"bench", "--only", "exit3", "--size", "16", "--spp", "2"});
+  const auto answer = sandbox.orbs({"bench", "--only", "exit3", "--side", "16", "--spp", "2"});
   EXPECT_EQ(answer.status, 2);
   EXPECT_NE(answer.text.find("renderer 'exit3' ended with exit code 3; its last words: fake: cannot find"),
             std::string::npos)
@@ -59,4 +59,15 @@ TEST(Bench, ARendererThatIsNamedMustBeThere) {
   const auto answer = sandbox.orbs({"bench", "--only", "absent"});
   EXPECT_EQ(answer.status, 2);
   EXPECT_NE(answer.text.find("/nowhere/at/all"), std::string::npos) << answer.text;
+}
+
+// Of `orbs run` it is a share of the scenes' size.
+TEST(Bench, PixelsAreNoSize) {
+  const Sandbox sandbox;
+  for (const char* command : {"bench", "probe", "stability", "effect-cost"}) {
+    const auto answer = sandbox.orbs({command, "--size", "64"});
+    EXPECT_EQ(answer.status, 2) << command;
+    EXPECT_NE(answer.text.find("--side 64"), std::string::npos) << answer.text;
+    EXPECT_EQ(sandbox.orbs({command, "--help"}).text.find("--size"), std::string::npos) << command;
+  }
 }

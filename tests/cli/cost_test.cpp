@@ -181,3 +181,17 @@ TEST(Cost, StartTrialsAndOwnTimeOfARenderAreApart) {
   }
   EXPECT_TRUE(contains(answer.text, "start (CPU)")) << answer.text;
 }
+
+TEST(Cost, TheReportOfAStudyWithoutImagesIsShortAndNeedsAFile) {
+  const Sandbox sandbox;
+  ASSERT_EQ(sandbox.orbs(cost({"--sweep", "2,4,8,16", "--seeds", "2", "-o", "c"})).status, 0);
+  std::filesystem::remove_all(sandbox.folder() / "c/images");
+  const auto folder = sandbox.orbs({"report", "c", "-o", "c"});
+  EXPECT_EQ(folder.status, 2);
+  EXPECT_TRUE(contains(folder.text, "-o c: this is a folder, and a report is one file: -o c/report.html"))
+      << folder.text;
+  const auto answer = sandbox.orbs({"report", "c", "-o", "page.html"});
+  ASSERT_EQ(answer.status, 0) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "images are not in it")) << answer.text;
+  EXPECT_LE(std::count(answer.text.begin(), answer.text.end(), '\n'), 10) << answer.text;
+}

@@ -18,7 +18,7 @@ namespace {
 
 std::vector<std::string> effects_of(const std::string& scenes) {
   return {"effect-cost", scenes,       "--configuration", ORBS_SOURCE_DIR "/configuration.json",
-          "--suite",     "appearance", "--size",          "32",
+          "--suite",     "appearance", "--side",          "32",
           "--spp",       "16",         "--rounds",        "2"};
 }
 

@@ -50,7 +50,7 @@ TEST(MinimalRenderer, FindsTheAnswersOfFormulas) {
 TEST(MinimalRenderer, PlacesGeometryAndTextures) {
   const Sandbox sandbox;
   const auto answer = sandbox.orbs({"probe", "--configuration", kFolder + "configuration.json", "-r",
-                                    "minimal", "-s", "g1-attributes,g2-camera-wide", "--size", "64"});
+                                    "minimal", "-s", "g1-attributes,g2-camera-wide", "--side", "64"});
   EXPECT_EQ(answer.status, 0) << answer.text;
   EXPECT_TRUE(contains(answer.text, "all 2 are right")) << answer.text;
 }

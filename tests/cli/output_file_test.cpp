@@ -10,9 +10,9 @@ namespace {
 
 // Small work, for the case that it is done.
 const std::vector<std::vector<std::string>> kCommands{
-    {"probe", "-r", "orbs", "-s", "078-remap", "--size", "16", "--spp", "1"},
-    {"bench", "--only", "orbs", "--size", "16", "--spp", "2", "--rounds", "1"},
-    {"effect-cost", "iridescent_spheres_film", "--suite", "appearance", "--size", "16", "--spp", "8"},
+    {"probe", "-r", "orbs", "-s", "078-remap", "--side", "16", "--spp", "1"},
+    {"bench", "--only", "orbs", "--side", "16", "--spp", "2", "--rounds", "1"},
+    {"effect-cost", "iridescent_spheres_film", "--suite", "appearance", "--side", "16", "--spp", "8"},
     {"qualify", "control", "-r", "orbs", "-s", "078-remap"}};
 
 // The message for the output `file`, "" for a command that has begun to work.

@@ -27,7 +27,7 @@ TEST(ProbeCommand, FindsTheBuiltInTracersScenesWhereTheyShouldBe) {
   const Sandbox sandbox;
   const auto answer =
       sandbox.orbs({"probe", "--configuration", ORBS_SOURCE_DIR "/configuration.json", "-r", "orbs", "-s",
-                    "078-remap,113", "--size", "64", "--spp", "4", "-o", "probe.json"});
+                    "078-remap,113", "--side", "64", "--spp", "4", "-o", "probe.json"});
   EXPECT_EQ(answer.status, 0) << answer.text;
   EXPECT_NE(answer.text.find("all 2 are right"), std::string::npos) << answer.text;
   EXPECT_NE(sandbox.read("probe.json").find("\"ok\": true"), std::string::npos);
@@ -37,7 +37,7 @@ TEST(ProbeCommand, NamesWhatAWrongCameraMoved) {
   const Sandbox sandbox;
   sandbox.write("configuration.json",
                 configuration_with_mistake("sed -E 's/(\\\"fov_y\\\": *)[0-9.]+/\\\\150/'"));
-  const auto answer = sandbox.orbs({"probe", "-s", "078", "--size", "64"});
+  const auto answer = sandbox.orbs({"probe", "-s", "078", "--side", "64"});
   EXPECT_EQ(answer.status, 1) << answer.text;
   EXPECT_NE(answer.text.find("scene mapping differs: "), std::string::npos) << answer.text;
   EXPECT_NE(answer.text.find("0 of 1 are right, 1 not right"), std::string::npos) << answer.text;
@@ -49,7 +49,7 @@ TEST(ProbeCommand, AsksNoDeclarationOfEmission) {
   auto text = configuration_with_mistake("cat");
   text.replace(text.find("G5/M8/L4/A4"), 11, "G5/M1");
   sandbox.write("configuration.json", text);
-  const auto answer = sandbox.orbs({"probe", "-s", "101", "--size", "64"});
+  const auto answer = sandbox.orbs({"probe", "-s", "101", "--side", "64"});
   EXPECT_EQ(answer.status, 0) << answer.text;
   EXPECT_NE(answer.text.find("texture coordinates not checked: "), std::string::npos) << answer.text;
 }
@@ -64,7 +64,7 @@ TEST(ProbeCommand, ChecksTextureCoordinatesWithoutTexturedEmission) {
     auto text = configuration_with_mistake("sed -f " + (sandbox.folder() / "exchange.sed").string());
     text.replace(text.find("G5/M8/L4/A4"), 11, "G5/M5");
     sandbox.write("configuration.json", text);
-    const auto answer = sandbox.orbs({"probe", "-s", "113", "--size", "64"});
+    const auto answer = sandbox.orbs({"probe", "-s", "113", "--side", "64"});
     EXPECT_EQ(answer.status, are_exchanged ? 1 : 0) << answer.text;
     const std::regex right("ok, [0-9]+ pixels.*, texture coordinates in [1-9][0-9]{2,}");
     EXPECT_EQ(std::regex_search(answer.text, right), !are_exchanged) << answer.text;
@@ -77,7 +77,7 @@ TEST(ProbeCommand, NothingCheckedIsNothingRight) {
   auto text = configuration_with_mistake("cat");
   text.replace(text.find("\"declares\""), 0, R"("scene_format": "native", "native_scenes": "own", )");
   sandbox.write("configuration.json", text);
-  const auto answer = sandbox.orbs({"probe", "-s", "101", "--size", "64", "-o", "probe.json"});
+  const auto answer = sandbox.orbs({"probe", "-s", "101", "--side", "64", "-o", "probe.json"});
   EXPECT_EQ(answer.status, 1) << answer.text;
   EXPECT_NE(answer.text.find("0 of 1 are right, 1 not checked"), std::string::npos) << answer.text;
   EXPECT_NE(sandbox.read("probe.json").find("\"checked\": false"), std::string::npos);
@@ -86,7 +86,7 @@ TEST(ProbeCommand, NothingCheckedIsNothingRight) {
 TEST(ProbeCommand, SaysHowARendererFailed) {
   const Sandbox sandbox;
   sandbox.write("configuration.json", configuration_with_mistake("exit 3; sed"));
-  const auto answer = sandbox.orbs({"probe", "-s", "078", "--size", "64"});
+  const auto answer = sandbox.orbs({"probe", "-s", "078", "--side", "64"});
   EXPECT_EQ(answer.status, 1) << answer.text;
   EXPECT_NE(answer.text.find("ended with exit code 3"), std::string::npos) << answer.text;
 }

@@ -107,7 +107,7 @@ TEST(Stability, GoesOnWhereItWasInterrupted) {
 TEST(Stability, TakesSceneFiles) {
   const Sandbox sandbox;
   const auto answer = sandbox.orbs({"stability", "cases/m3_mirror/mirror.json", "-r", "good", "--relation",
-                                    "rotate", "--size", "8", "-o", "s"});
+                                    "rotate", "--side", "8", "-o", "s"});
   ASSERT_EQ(answer.status, 0) << answer.text;
   ASSERT_EQ(record_of(sandbox, "s").scenes.size(), 1);
   EXPECT_EQ(record_of(sandbox, "s").scenes[0].name, "mirror");

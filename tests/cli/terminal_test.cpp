@@ -144,7 +144,7 @@ TEST(Completion, OffersCommandsTheirOptionsAndTheirWords) {
   EXPECT_EQ(value("run --suite ''", 3), "t\n");
   EXPECT_EQ(value("compare --metric psnr_s", 3), "psnr_srgb8\n");
   EXPECT_EQ(value("stability --relation translate_m", 3), "translate_matrix\n");
-  EXPECT_EQ(value("probe --size 1", 3), "\n");
+  EXPECT_EQ(value("probe --side 1", 3), "\n");
   EXPECT_TRUE(contains(sandbox.orbs({"completion", "fish"}).text,
                        "complete -c orbs -n '__fish_seen_subcommand_from run' -l resume -d "));
   EXPECT_TRUE(sandbox.orbs({"completion", "zsh"}).text.starts_with("#compdef orbs\n"));

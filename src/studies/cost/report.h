@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/terminal.h"
 #include "studies/cost/record.h"
 
 #include <string>
@@ -8,7 +9,8 @@ namespace orbs::studies {
 
 /// For a terminal: the time to the error nearest the study's target, per scene and renderer; who is faster
 /// over all scenes; floors; and the comparison of a renderer with itself, without which nothing is ranked.
-std::string cost_table(const CostRecord& record);
+/// Green is a time that is shown to be the shortest of its scene, faint what is no time.
+std::string cost_table(const CostRecord& record, const TerminalStyle& style);
 
 /// The same as Markdown, with the times to every error.
 std::string cost_markdown(const CostRecord& record);

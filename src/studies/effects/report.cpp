@@ -80,7 +80,7 @@ void put_definitions(json::Writer& out) {
 
 }  // namespace
 
-std::string effect_cost_table(const EffectCosts& list) {
+std::string effect_cost_table(const EffectCosts& list, int width) {
   std::string text;
   for (const auto& scene : list.scenes) {
     text += fmt::format("{}{}: {}, {:.2f} million paths per CPU second{}\n", text.empty() ? "" : "\n",
@@ -90,7 +90,7 @@ std::string effect_cost_table(const EffectCosts& list) {
     for (const auto& alternative : scene.alternatives)
       rows.push_back({fmt::format("  {}", alternative.name), spread_text(alternative.time_ratio),
                       ratio_text(alternative.error_ratio), image_text(alternative)});
-    text += text_table(rows, {Align::Left, Align::Right, Align::Right});
+    text += text_table(rows, {Align::Left, Align::Right, Align::Right}, {width, {}});
   }
   return text;
 }

@@ -8,7 +8,7 @@
 namespace orbs::studies {
 
 /// The results as a table for a terminal, one line for each alternative.
-std::string effect_cost_table(const EffectCosts& list);
+std::string effect_cost_table(const EffectCosts& list, int width);
 /// The same as a table in Markdown.
 std::string effect_cost_markdown(const EffectCosts& list);
 /// All numbers, format "orbs-effect-cost/1".

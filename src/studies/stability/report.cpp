@@ -63,6 +63,36 @@ std::vector<TableRow> matrix_rows(const StabilityRecord& record) {
   return rows;
 }
 
+std::string_view cell_colour(const StabilityCell& cell) {
+  if (cell.scenes == 0) return colour::kFaint;
+  if (cell.first_break) return colour::kRed;
+  return cell.inconclusive < cell.scenes ? colour::kGreen : colour::kYellow;
+}
+
+// The matrix, on narrow terminals without the names of the relations, for which the changes stand.
+std::string matrix_table(const StabilityRecord& record, const TerminalStyle& style) {
+  auto rows = matrix_rows(record);
+  std::size_t before = 2;  // columns before the renderers
+  auto one = rows;
+  for (auto& row : one) row.resize(std::min(row.size(), before + 1));
+  if (!fits(one, style.width)) {
+    for (auto& row : rows) row.erase(row.begin() + 1);
+    before = 1;
+  }
+  CellColours colours;
+  if (style.colour)
+    for (const auto& cell : stability_cells(record))
+      colours[{cell.relation + 1, before + cell.renderer}] = cell_colour(cell);
+  return text_tables(rows, before, {style.width, colours});
+}
+
+CellColours break_colours(const std::vector<TableRow>& rows, const TerminalStyle& style) {
+  constexpr std::size_t kChange = 1;
+  CellColours colours;
+  for (std::size_t i = 1; style.colour && i < rows.size(); ++i) colours[{i, kChange}] = colour::kRed;
+  return colours;
+}
+
 std::string summaries(const StabilityRecord& record) {
   std::string text;
   for (std::size_t renderer = 0; renderer < record.renderers.size(); ++renderer)
@@ -161,14 +191,16 @@ std::string stability_summary(const StabilityRecord& record, std::size_t rendere
                      measured, ends);
 }
 
-std::string stability_table(const StabilityRecord& record) {
+std::string stability_table(const StabilityRecord& record, const TerminalStyle& style) {
   const auto breaks = break_rows(record, false);
   const auto precision = precision_rows(record);
-  return fmt::format(
-      "{}\n{}\n{}{}{}", text_table(matrix_rows(record)), summaries(record),
-      breaks.size() > 1 ? "First breaks\n" + text_table(breaks) + "\n" : "",
-      precision.size() > 1 ? fmt::format("{}\n{}\n", kPrecisionTitle, text_table(precision)) : "",
-      conditions(record));
+  auto text = matrix_table(record, style) + '\n' + wrapped_lines(summaries(record), style.width) + '\n';
+  if (breaks.size() > 1)
+    text += fmt::format("First breaks\n{}\n",
+                        text_table(breaks, {}, {style.width, break_colours(breaks, style)}));
+  if (precision.size() > 1)
+    text += fmt::format("{}\n{}\n", kPrecisionTitle, text_table(precision, {}, {style.width, {}}));
+  return text + wrapped_lines(conditions(record), style.width);
 }
 
 std::string stability_markdown(const StabilityRecord& record) {

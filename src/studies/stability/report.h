@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/terminal.h"
 #include "studies/stability/record.h"
 
 #include <string>
@@ -14,7 +15,7 @@ std::string break_text(const StabilityStep& step);
 std::string stability_summary(const StabilityRecord& record, std::size_t renderer);
 
 /// The matrix of relations and renderers, the first breaks, and how all was measured, for a terminal.
-std::string stability_table(const StabilityRecord& record);
+std::string stability_table(const StabilityRecord& record, const TerminalStyle& style);
 
 /// The same in Markdown.
 std::string stability_markdown(const StabilityRecord& record);

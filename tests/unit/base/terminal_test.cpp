@@ -53,3 +53,36 @@ TEST(TerminalWidth, IsNoneWhereThereIsNoTerminal) {
   ::unsetenv("COLUMNS");
   EXPECT_EQ(terminal_width(-1), 0);
 }
+
+TEST(TextTable, ColumnsWithoutRoomGoOnBelowAndNoNumberIsCut) {
+  const std::vector<TableRow> rows{{"scene", "first time", "second time", "what happens"},
+                                   {"ball", "0.59 s (0.58-0.61)", "2.5 s (2.3-2.6)", "one two three four"},
+                                   {"lamp", "1 s", "", ""}};
+  EXPECT_EQ(text_table(rows, {}, {40, {}}),
+            "scene  first time\n"
+            "      second time      what happens\n"
+            "ball   0.59 s (0.58-0.61)\n"
+            "      2.5 s (2.3-2.6)  one two three\n"
+            "                       four\n"
+            "lamp   1 s\n");
+}
+
+TEST(TextTables, HaveAsManyColumnsAsThereIsRoomForAndTheirColours) {
+  const std::vector<TableRow> rows{{"G1", "orbs 12.5", "cycles 33", "povray 4"}};
+  const TableLook look{24, {{{0, 3}, colour::kRed}}};
+  EXPECT_EQ(text_tables(rows, 1, look), "G1  orbs 12.5  cycles 33\n\nG1  \x1b[31mpovray 4\x1b[0m\n");
+  EXPECT_EQ(text_tables(rows, 1, {0, {}}), "G1  orbs 12.5  cycles 33  povray 4\n");
+}
+
+TEST(WrappedLines, WhatGoesOnIsIndented) {
+  EXPECT_EQ(wrapped_lines("one two three four\nfive\n", 10), "one two\n  three\n  four\nfive\n");
+  EXPECT_EQ(wrapped_lines("one two three four\n", 0), "one two three four\n");
+  EXPECT_EQ(wrapped_lines("", 10), "");
+}
+
+TEST(TerminalStyle, NoColourAndNoTerminalLeaveTheTextAsItIs) {
+  EXPECT_FALSE(terminal_style(-1).colour);
+  EXPECT_EQ(painted("fail", colour::kRed, {false, 80}), "fail");
+  EXPECT_EQ(painted("fail", "", {true, 80}), "fail");
+  EXPECT_EQ(painted("fail", colour::kRed, {true, 80}), "\x1b[31mfail\x1b[0m");
+}

@@ -1,5 +1,7 @@
 // Two runs compared: what is found, and how often something is found where nothing is.
 #include "base/error.h"
+#include "base/text.h"
+#include "base/text_table.h"
 #include "history/comparison_text.h"
 #include "unit/history/made_up_run.h"
 
@@ -156,7 +158,7 @@ TEST(CompareRuns, ATargetThatAnInterruptedRunDidNotReachIsCalledSo) {
   ASSERT_EQ(comparison.notes.size(), 1U);
   EXPECT_EQ(comparison.notes[0], "1 target not rendered: the run was interrupted (r0 s3)");
   EXPECT_EQ(history::exit_status(comparison), 1);
-  EXPECT_NE(history::comparison_text(comparison, 200).find("0 changed otherwise, 1 not rendered"),
+  EXPECT_NE(history::comparison_text(comparison, {false, 200}).find("0 changed otherwise, 1 not rendered"),
             std::string::npos);
   EXPECT_NE(history::comparison_json(comparison).find("\"loss\": \"not rendered\""), std::string::npos);
   const auto back = history::compare_runs(after, before);
@@ -205,7 +207,7 @@ TEST(CompareRuns, ATargetThatVanishedIsNamedAndRed) {
   ASSERT_EQ(comparison.notes.size(), 1U);
   EXPECT_EQ(comparison.notes[0], "1 target only in run-1: r3 s29");
   EXPECT_EQ(history::exit_status(comparison), 1);
-  EXPECT_NE(history::comparison_text(comparison, 200).find(", 1 vanished"), std::string::npos);
+  EXPECT_NE(history::comparison_text(comparison, {false, 200}).find(", 1 vanished"), std::string::npos);
 }
 
 TEST(CompareRuns, ANewTargetIsNamedWithItsFailure) {
@@ -235,7 +237,7 @@ TEST(CompareRuns, AMeanThatChangesItsSignIsNotBetter) {
   EXPECT_TRUE(has_change(comparison, Quantity::Light, Direction::Worse, "r0", "s0"));
   EXPECT_TRUE(has_change(comparison, Quantity::Light, Direction::Neither, "r0", "s1"));
   EXPECT_EQ(history::exit_status(comparison), 1);
-  const auto text = history::comparison_text(comparison, 300);
+  const auto text = history::comparison_text(comparison, {false, 300});
   EXPECT_NE(text.find("-4.900 % (other sign)"), std::string::npos) << text;
   EXPECT_EQ(history::count_of(comparison, Direction::Better), 0U);
 }
@@ -269,4 +271,16 @@ TEST(CompareRuns, MarkdownEscapesWhatWouldEndACell) {
   EXPECT_NE(text.find("| worse | r0 | M1 | s0 | verdict | pass | fail |  | a \\| b \\<script> |"),
             std::string::npos)
       << text;
+}
+
+TEST(CompareRuns, TheTextStaysWithinTheTerminalAndWorseIsRed) {
+  auto before = made_up::run(1);
+  auto after = before;
+  after.targets[0].verdict = results::Verdict::Fail;
+  after.targets[0].reason = "the mean over the block [12,14,76,78] is off by 4.9 % or more for certain";
+  const auto comparison = history::compare_runs(before, after);
+  const auto text = history::comparison_text(comparison, {true, 80});
+  for (const auto& line : split(text, '\n')) EXPECT_LE(display_width(line), 80U) << line;
+  EXPECT_NE(text.find("\x1b[31mworse\x1b[0m"), std::string::npos) << text;
+  EXPECT_EQ(history::comparison_text(comparison, {false, 80}).find('\x1b'), std::string::npos);
 }

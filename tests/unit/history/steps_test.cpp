@@ -2,6 +2,8 @@
 #include "history/steps.h"
 
 #include "base/error.h"
+#include "base/text.h"
+#include "base/text_table.h"
 #include "history/history_text.h"
 #include "report/history_page.h"
 #include "unit/history/made_up_run.h"
@@ -104,7 +106,7 @@ TEST(History, ATargetWhoseVerdictDiffersBetweenSeedsIsFlaky) {
 TEST(History, IsShownAsTextMarkdownAndPage) {
   const auto history = history_of(6, 3, {.renderers = 1, .targets = 4, .time = 2});
   const auto steps = history::find_steps(history);
-  const auto text = history::history_text(history, steps, 0);
+  const auto text = history::history_text(history, steps, {});
   EXPECT_NE(text.find("6 runs of suite made-up at size 1, 2026-01-01T00:00:00 to 2026-01-06T00:00:00"),
             std::string::npos)
       << text;
@@ -113,4 +115,18 @@ TEST(History, IsShownAsTextMarkdownAndPage) {
   const auto page = report::history_page(history, steps);
   EXPECT_NE(page.find("<circle"), std::string::npos);
   EXPECT_EQ(page.find("<script"), std::string::npos);
+}
+
+TEST(History, StaysWithinTheTerminalAndHasTheColoursOfItsVerdicts) {
+  const auto history = history_of(6, 3, {.renderers = 1, .targets = 4, .time = 2});
+  const auto steps = history::find_steps(history);
+  ASSERT_FALSE(steps.empty());
+  const auto text = history::history_text(history, steps, {true, 80});
+  for (const auto& line : split(text, '\n')) EXPECT_LE(display_width(line), 80U) << line;
+  EXPECT_NE(text.find("\x1b[31mworse\x1b[0m"), std::string::npos) << text;
+  EXPECT_NE(text.find("\x1b[32mpass\x1b[0m"), std::string::npos) << text;
+  const auto narrow = history::history_text(history, steps, {true, 60});
+  for (const auto& line : split(narrow, '\n')) EXPECT_LE(display_width(line), 60U) << line;
+  EXPECT_NE(narrow.find("\x1b[32mpass 6\x1b[0m"), std::string::npos) << narrow;
+  EXPECT_EQ(history::history_text(history, steps, {false, 80}).find('\x1b'), std::string::npos);
 }

@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "base/text_table.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <limits>
 
@@ -165,6 +166,19 @@ TEST(Table, IsNoWiderThanTheTerminal) {
   const auto lines = orbs::split(summary_text(run, {false, 60}), '\n');
   EXPECT_GE(lines.size(), 5U);
   for (const auto& line : lines) EXPECT_LE(orbs::display_width(line), 60U) << line;
+}
+
+// A failure is one sentence in one line, below what it is of where there is no room beside it.
+TEST(Table, AFailureIsOneSentenceThatFitsIntoTheTerminal) {
+  auto run = small_run();
+  run.targets[2].reason =
+      "the mean over the block [152,8,216,72] is off by 1.74 % or more for certain, at most 1.2 % is allowed; "
+      "bias: the means differ by more than noise";
+  const auto lines = orbs::split(summary_text(run, {false, 80, false}), '\n');
+  for (const auto& line : lines) EXPECT_LE(orbs::display_width(line), 80U) << line;
+  const auto text = summary_text(run, {false, 80, false});
+  EXPECT_NE(text.find(" 1.74 % or more ...\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("noise"), std::string::npos) << text;
 }
 
 TEST(Table, OfAForeignRendererThatIsFarOffTheHintIsToProbe) {

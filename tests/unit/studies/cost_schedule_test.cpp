@@ -91,7 +91,7 @@ TEST(Schedule, EndsWhenTheBudgetIsSpentAndNamesWhatIsMissing) {
       unmeasured_summary(record),
       "the study ended before all was measured: of 12 settings of all curves, 3 were not rendered and 6 "
       "with fewer seeds than wanted\n");
-  EXPECT_NE(cost_table(record).find("noise-free on t: not measured: 32 spp\n"), std::string::npos);
+  EXPECT_NE(cost_table(record, {}).find("noise-free on t: not measured: 32 spp\n"), std::string::npos);
   EXPECT_EQ(clock.run({}, 1e9), Ended::Done);
 }
 

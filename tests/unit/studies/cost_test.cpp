@@ -142,7 +142,7 @@ TEST(Cost, NothingIsRankedWhenARendererDiffersFromItself) {
   ASSERT_TRUE(numbers.self_comparison);
   EXPECT_FALSE(numbers.self_comparison->passed);
   EXPECT_TRUE(numbers.comparisons.empty());
-  EXPECT_NE(cost_table(record).find("nothing is ranked"), std::string::npos);
+  EXPECT_NE(cost_table(record, {}).find("nothing is ranked"), std::string::npos);
 }
 
 // Pairs of equal renderers of which the check calls some different: at most 1 % by time and 1 % by error.

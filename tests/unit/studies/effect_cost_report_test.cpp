@@ -20,7 +20,7 @@ studies::Alternative way(bool is_enough, const std::string& bias) {
 }
 
 bool says(const studies::EffectCosts& list, const std::string& text) {
-  return studies::effect_cost_table(list).find(text) != std::string::npos;
+  return studies::effect_cost_table(list, 0).find(text) != std::string::npos;
 }
 
 }  // namespace
@@ -29,13 +29,13 @@ TEST(EffectCostReport, SaysWhatIsLostWithItsError) {
   const auto list = list_of(way(false, "the mean is darker"));
   EXPECT_TRUE(says(list, "prism: spectral, 1.25 million paths per CPU second; dispersion"));
   EXPECT_TRUE(says(list, "mean -1.000 ± 0.020 %, most +318 ± 103 % at (40, 8)"))
-      << studies::effect_cost_table(list);
+      << studies::effect_cost_table(list, 0);
   EXPECT_TRUE(studies::all_agree(list));  // who leaves something out need not agree
 }
 
 TEST(EffectCostReport, ARicherTransportThatDiffersIsAnError) {
   const auto list = list_of(way(true, "the mean is darker"));
-  EXPECT_TRUE(says(list, "DIFFERS: mean -1.000")) << studies::effect_cost_table(list);
+  EXPECT_TRUE(says(list, "DIFFERS: mean -1.000")) << studies::effect_cost_table(list, 0);
   EXPECT_FALSE(studies::all_agree(list));
   EXPECT_TRUE(studies::all_agree(list_of(way(true, ""))));
 }

@@ -56,7 +56,7 @@ TEST(OtherLoad, WhatIsLeftOutIsInNoNumberAndIsCounted) {
   EXPECT_EQ(numbers.curves.at(0).points.at(0).renders, 3);
   EXPECT_EQ(numbers.curves.at(0).points.at(0).cpu_seconds.high, 1);
   EXPECT_EQ(numbers.other_load.left_out, 1);
-  const auto text = cost_table(record);
+  const auto text = cost_table(record, {});
   EXPECT_NE(
       text.find(
           "of 4 renders 1 were left out because others took more than 5 % of its processors; 2 repeats"),

@@ -44,7 +44,7 @@ TEST(SelfComparison, SpansAllScenesAndSaysHowFarTheirRatiosScatter) {
   EXPECT_NEAR(found->time_scatter, 0.03 * std::sqrt(0.5), 0.01);
   EXPECT_LT(found->time_spread.least, 1);
   EXPECT_GT(found->time_spread.most, 1);
-  EXPECT_NE(cost_table(record).find("r twice on 20 scenes: time "), std::string::npos);
+  EXPECT_NE(cost_table(record, {}).find("r twice on 20 scenes: time "), std::string::npos);
 }
 
 // On one scene a drift of 2 % is lost in the scatter of the seeds; on 20 it is not.
