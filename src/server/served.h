@@ -38,6 +38,9 @@ class ServedRun {
   std::optional<std::string> target(std::size_t index);
   std::string progress();
 
+  /// The record of the run with those of its targets alone that have this name and renderer.
+  results::RunRecord record_of(const std::string& target, const std::string& renderer);
+
   /// Grows whenever the run changes. Reads the folder at most once per `kPollInterval`.
   std::uint64_t version();
   bool is_live();
