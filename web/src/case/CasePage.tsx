@@ -7,6 +7,7 @@ import { cellLink } from "../overview/Grid";
 import { go, parseRoute, type Route } from "../route";
 import { flushView } from "../viewer/use_view";
 import { Viewer } from "../viewer/Viewer";
+import { Accept } from "./Accept";
 import { Cost } from "./Cost";
 import { Effects } from "./Effects";
 import { Logs } from "./Logs";
@@ -79,7 +80,9 @@ export function CasePage({ session, route }: { session: Session; route: Route })
       />
       {problem !== undefined ? <p role="alert">The target cannot be shown: {problem}</p> : null}
       {detail === undefined && problem === undefined ? <p class="loading">Reading …</p> : null}
-      {detail ? <Detail session={session} route={route} one={one} detail={detail} /> : null}
+      {detail ? (
+        <Detail session={session} route={route} index={index} one={one} detail={detail} />
+      ) : null}
     </article>
   );
 }
@@ -142,11 +145,12 @@ const samplesOf = ({ jobs }: TargetDetail): string =>
 interface DetailProps {
   session: Session;
   route: Route;
+  index: number;
   one: CaseRecord;
   detail: TargetDetail;
 }
 
-function Detail({ session, route, one, detail }: DetailProps) {
+function Detail({ session, route, index, one, detail }: DetailProps) {
   const addable = useOtherImages(session, detail);
   return (
     <>
@@ -173,6 +177,7 @@ function Detail({ session, route, one, detail }: DetailProps) {
             <p class="quiet">Smallest error that this gate detects: {one.smallest_error_seen}</p>
           ) : null}
         </section>
+        <Accept key={index} session={session} index={index} detail={detail} />
         <Effects detail={detail} />
         <Cost detail={detail} />
         <Provenance session={session} detail={detail} />

@@ -1,4 +1,5 @@
 import type { Studies } from "../studies";
+import type { Editing } from "./edit";
 import { embeddedSource } from "./embedded";
 import { embeddedStudy } from "./embedded_study";
 import type { ImageFile, Overview, Progress, StudyKind, TargetDetail } from "./generated";
@@ -21,6 +22,8 @@ export interface Source {
   kinds: Kind[];
   /** False for a page in one file, whose data never changes. */
   isServed: boolean;
+  /** What the page may write; "off" if it is left out. */
+  edit?: Editing;
   overview(run: number): Promise<Overview>;
   target(run: number, index: number): Promise<TargetDetail>;
   /** One layer of an image; rejects with an Error that says why. */
