@@ -2,6 +2,7 @@
 //   orbs-page-types <file>
 #include "base/files.h"
 #include "json/page_types.h"
+#include "report/file_change.h"
 #include "report/overview.h"
 #include "report/progress.h"
 #include "report/target_data.h"
@@ -21,6 +22,7 @@ std::string page_types() {
   types.add<report::Overview>();
   types.add<report::TargetDetail>();
   types.add<report::Progress>();
+  types.add<report::FileChange>();
   types.add<studies::CostStudy>();
   types.add<studies::StabilityStudy>();
   std::string kinds;

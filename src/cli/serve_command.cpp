@@ -1,6 +1,10 @@
 #include "base/error.h"
+#include "base/terminal.h"
+#include "cli/options.h"
+#include "cli/page_editor.h"
 #include "cli/program.h"
 #include "cli/show_runs.h"
+#include "registry/configuration_files.h"
 #include "server/serve.h"
 
 #include <fmt/format.h>
@@ -15,23 +19,41 @@ struct ServeOptions {
   int port = 0;
   bool allow_network = false;
   bool open = false;
+  bool edit = false;
 };
 
-int serve(const ServeOptions& options, const Program& program) {
+// What the page writes to is read before anything is served: its mistakes are told here.
+server::Editor editor_of(const std::string& configuration, const Program& program) {
+  const auto read = read_configuration(configuration, program);
+  registry::own_text(read.own_file);
+  print_clean(stderr,
+              "whoever has the whole address below can make failures known in {}; keep it to yourself\n",
+              read.own_file.string());
+  return page_editor(read);
+}
+
+int serve(const ServeOptions& options, const std::string& configuration, const Program& program) {
+  if (!server::is_loopback_address(options.address) && options.edit)
+    throw InputError(
+        fmt::format("{} is not this machine's loopback address, which is the only one that --edit allows",
+                    options.address));
   if (!server::is_loopback_address(options.address) && !options.allow_network)
     throw InputError(
         fmt::format("{} is not this machine's loopback address: everybody who reaches it could read the "
                     "run; add --allow-network if that is wanted",
                     options.address));
   std::vector<std::filesystem::path> runs(options.runs.begin(), options.runs.end());
-  show_runs(runs.empty() ? newest_runs_and_studies() : runs, program,
-            {options.address, options.port, options.open});
+  ShowSettings settings{options.address, options.port, options.open};
+  if (runs.empty()) runs = newest_runs_and_studies();
+  if (options.edit) settings.editor = editor_of(configuration, program);
+  show_runs(runs, program, settings);
   return 0;
 }
 
 }  // namespace
 
 void add_serve_command(const command_line::Command& command, const Program& program, Action& action) {
+  const auto configuration = add_configuration_option(command);
   const auto options = std::make_shared<ServeOptions>();
   command
       .add_option("runs", options->runs,
@@ -43,9 +65,19 @@ void add_serve_command(const command_line::Command& command, const Program& prog
   command.add_flag("--allow-network", options->allow_network,
                    "Permit an --address that other machines can reach");
   command.add_flag("--open", options->open, "Open the page in the browser");
+  // The words of a command are no secret: every user of the machine sees those that start the browser.
+  command
+      .add_flag("--edit", options->edit,
+                "Let the page write known failures into the configuration; only the whole address that is "
+                "printed can")
+      .excludes(command.option("--allow-network"))
+      .excludes(command.option("--open"));
   command.footer(
-      "The server only reads files, only below the folders of the runs, and follows no symbolic links.");
-  command.callback([=, &program, &action] { action = [=, &program] { return serve(*options, program); }; });
+      "The server only reads files, only below the folders of the runs, and follows no symbolic links. With "
+      "--edit it also writes to one file, that of the configuration.");
+  command.callback([=, &program, &action] {
+    action = [=, &program] { return serve(*options, *configuration, program); };
+  });
 }
 
 }  // namespace orbs::cli

@@ -79,12 +79,13 @@ void show_runs(const std::vector<std::filesystem::path>& runs,
                 "warning: other machines can reach {}: everybody there can read these runs, and nothing is "
                 "encrypted\n",
                 settings.address);
-  server::serve({runs, program.folder / "web", settings.address, settings.port}, catch_interrupts(),
-                [&](const std::string& url) {
-                  print_clean("the page is at {}  (Ctrl-C ends it)\n", url);
-                  std::fflush(stdout);
-                  if (settings.open) open_in_browser(url);
-                });
+  server::ServeSettings served{runs, program.folder / "web", settings.address, settings.port};
+  served.editor = settings.editor;
+  server::serve(served, catch_interrupts(), [&](const std::string& url) {
+    print_clean("the page is at {}  (Ctrl-C ends it)\n", url);
+    std::fflush(stdout);
+    if (settings.open) open_in_browser(url);
+  });
 }
 
 }  // namespace orbs::cli

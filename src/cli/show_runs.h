@@ -1,8 +1,10 @@
 #pragma once
 
 #include "cli/program.h"
+#include "server/edit.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,7 @@ struct ShowSettings {
   std::string address = "127.0.0.1";
   int port = 0;       // 0: any free one
   bool open = false;  // in the browser
+  std::optional<server::Editor> editor{};
 };
 
 /// Serves runs and cost studies as a page until the user interrupts.

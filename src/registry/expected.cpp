@@ -186,7 +186,7 @@ std::string with_expected(const std::string& text,
     });
     if (same != present.end()) {
       entry.version = same->version;
-      if (!is_expired(*same, day)) entry.until = same->until;
+      if (!entry.until && !is_expired(*same, day)) entry.until = same->until;
       out = json::with_value(out, fmt::format("/expected/{}", same - present.begin()), entry_text(entry));
     } else if (has_array) {
       out = json::with_element(out, "/expected", entry_text(entry));

@@ -112,8 +112,8 @@ FoundExpected find_expected(const std::vector<ExpectedFailure>& expected,
                             const RunKind& run);
 
 /// The text of a configuration file with these entries under "expected". An entry that names the same
-/// renderer, scene, suite and size, without patterns, is replaced and keeps its version, and its last day
-/// unless it is before `day`; every other byte stays as it is.
+/// renderer, scene, suite and size, without patterns, is replaced and keeps its version, and, if the new
+/// one names none, its last day unless it is before `day`; every other byte stays as it is.
 std::string with_expected(const std::string& text,
                           const std::vector<ExpectedFailure>& present,
                           const std::vector<ExpectedFailure>& added,

@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "json/field_writer.h"
 #include "json/writer.h"
+#include "results/acceptable.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -60,11 +61,33 @@ std::vector<std::string> run_command(const RunRecord& run, const TargetRecord& t
   std::vector<std::string> words{"orbs",           "run",     "--suite",     run.suite,    "--case",
                                  target.case_name, "--scene", target.target, "--renderer", target.renderer};
   if (job != nullptr) words.insert(words.end(), {"--seed", std::to_string(job->identity.seed)});
+  if (run.size != "1") words.insert(words.end(), {"--size", run.size});
   // Only the command line records the scale of the samples.
   const auto given = std::find(run.command_line.begin(), run.command_line.end(), "--spp-scale");
   if (given != run.command_line.end() && given + 1 != run.command_line.end())
     words.insert(words.end(), {*given, given[1]});
   return words;
+}
+
+// Whether `orbs run --accept-failures` would write an entry for the target that has none.
+bool is_acceptable(const RunRecord& run, const TargetRecord& target) {
+  const bool is_strict_enough = target.verdict != results::Verdict::PassWithRemarks || run.strict;
+  return target.declared && is_strict_enough && results::can_be_expected(target.verdict) &&
+         target.expectation != results::Expectation::Known;
+}
+
+void add_commands(const RunRecord& run,
+                  const TargetRecord& target,
+                  const JobRecord* job,
+                  TargetDetail& detail) {
+  auto words = run_command(run, target, job);
+  detail.command = shell_text(words);
+  words.emplace_back("--accept-failures");
+  if (is_acceptable(run, target)) detail.accept_command = shell_text(words);
+  std::vector<std::string> reference{"orbs",   "reference",      "--suite", run.suite,
+                                     "--case", target.case_name, "--scene", target.target};
+  if (target.verdict != results::Verdict::MissingReference) reference.emplace_back("--accept");
+  detail.reference_command = shell_text(reference);
 }
 
 }  // namespace
@@ -89,7 +112,9 @@ TargetDetail target_detail(const RunView& view, std::size_t index) {
                       .reference_provenance = target.reference_provenance,
                       .jobs = {},
                       .scenes = {},
-                      .command = {}};
+                      .command = {},
+                      .accept_command = {},
+                      .reference_command = {}};
   const JobRecord* first = nullptr;
   for (const auto& job : run.jobs) {
     if (std::find(target.jobs.begin(), target.jobs.end(), job.identity.id) == target.jobs.end()) continue;
@@ -103,7 +128,7 @@ TargetDetail target_detail(const RunView& view, std::size_t index) {
     if (std::any_of(detail.jobs.begin(), detail.jobs.end(),
                     [&](const Job& job) { return job.record.identity.scene == scene.name; }))
       detail.scenes.push_back(scene);
-  detail.command = shell_text(run_command(run, target, first));
+  add_commands(run, target, first, detail);
   return detail;
 }
 

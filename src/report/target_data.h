@@ -63,6 +63,9 @@ struct TargetDetail {
   std::vector<Job> jobs;
   std::vector<results::SceneRecord> scenes;  // of its renders
   std::string command;                       // renders and judges this target again, and no other
+  std::string accept_command;  // likewise, and makes its failure a known one; "" for what is no failure, and
+                               // for a known one; the reason follows it
+  std::string reference_command;  // renders its missing reference; the reason follows it where there is one
 };
 
 template <class Visitor, json::RecordOf<TargetDetail> Record>
@@ -85,6 +88,8 @@ void fields(Visitor& visit, Record& detail) {
   visit("jobs", detail.jobs);
   visit("scenes", detail.scenes);
   visit("command", detail.command);
+  visit("accept_command", detail.accept_command);
+  visit("reference_command", detail.reference_command);
 }
 
 /// `index` is that of run.targets.

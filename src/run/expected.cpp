@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "registry/cases.h"
 #include "registry/filters.h"
+#include "results/acceptable.h"
 #include "results/least_change.h"
 #include "results/record.h"
 #include "run/accepted_number.h"
@@ -31,13 +32,7 @@ using results::Measure;
 using results::TargetRecord;
 using results::Verdict;
 
-// A run that ended early and a reference that is missing say nothing of the renderer. Remarks can be known
-// where a strict run is to accept them.
-bool can_be_expected(Verdict verdict) {
-  return verdict == Verdict::PassWithRemarks ||
-         (results::counts_as_failure(verdict) && verdict != Verdict::Skipped &&
-          verdict != Verdict::MissingReference);
-}
+using results::can_be_expected;
 
 void refuse_unknown_verdict(const ExpectedFailure& entry) {
   std::set<std::string> names;
@@ -304,30 +299,38 @@ std::vector<ExpectedFailure> accepted_failures(const results::RunRecord& run,
   return accepted;
 }
 
+Acceptance acceptance_of(const registry::Configuration& configuration,
+                         const AcceptSettings& settings,
+                         const results::RunRecord& run) {
+  const auto& own = configuration.own_file;
+  const auto files = registry::with_own(configuration.files, own);
+  Acceptance change;
+  // It may have been edited since the configuration was read.
+  change.before = registry::own_text(own);
+  const auto present = registry::load_configuration(files, registry::EditedFile{own, change.before});
+  auto accepted = accepted_failures(run, present.expected, settings.reason);
+  for (auto& entry : accepted) entry.until = settings.until;
+  change.entries = accepted.size();
+  change.after = registry::with_expected(change.before, registry::expected_of_text(own, change.before),
+                                         accepted, registry::day_of(run.started));
+  change.expected = registry::load_configuration(files, registry::EditedFile{own, change.after}).expected;
+  return change;
+}
+
 std::size_t accept_failures(const registry::Configuration& configuration,
                             const std::string& reason,
                             results::RunRecord& run) {
   const auto& own = configuration.own_file;
-  const auto files = registry::with_own(configuration.files, own);
-  std::size_t count = 0;
-  const auto read = with_note(fmt::format("accepting failures; {} is as it was", own.string()), [&] {
-    // It may have been edited while the run went on.
-    const auto text = registry::own_text(own);
-    auto present = registry::load_configuration(files, registry::EditedFile{own, text});
-    const auto accepted = accepted_failures(run, present.expected, reason);
-    count = accepted.size();
-    if (count == 0) return present;
-    const auto changed = registry::with_expected(text, registry::expected_of_text(own, text), accepted,
-                                                 registry::day_of(run.started));
-    auto parsed = registry::load_configuration(files, registry::EditedFile{own, changed});
-    registry::write_own(own, changed);
-    return parsed;
+  const auto accepted = with_note(fmt::format("accepting failures; {} is as it was", own.string()), [&] {
+    auto change = acceptance_of(configuration, {reason, {}}, run);
+    if (change.entries > 0) registry::write_own(own, change.after);
+    return change;
   });
-  if (count == 0) return 0;
-  mark_expected(read.expected, run);
+  if (accepted.entries == 0) return 0;
+  mark_expected(accepted.expected, run);
   summarise(run);
   write_file(std::filesystem::path(run.folder) / "results.json", results::run_json(run));
-  return count;
+  return accepted.entries;
 }
 
 }  // namespace orbs::run

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,9 +45,28 @@ std::vector<registry::ExpectedFailure> accepted_failures(
     const std::vector<registry::ExpectedFailure>& present,
     const std::string& reason);
 
+struct AcceptSettings {
+  std::string reason;
+  std::optional<registry::Day> until{};  // without one, an entry that is replaced keeps its own
+};
+
+/// What accepting failures makes of the user's own file.
+struct Acceptance {
+  std::string before;
+  std::string after;                                // the same text if nothing is accepted
+  std::size_t entries = 0;                          // that are new or replaced
+  std::vector<registry::ExpectedFailure> expected;  // of the whole configuration afterwards
+};
+
+/// The text of the user's own file in `configuration` as it is now, and with an entry under "expected" for
+/// each failure of the run that counts; every other byte stays. Writes nothing. InputError when the file
+/// cannot take them: the new text is read as any configuration.
+Acceptance acceptance_of(const registry::Configuration& configuration,
+                         const AcceptSettings& settings,
+                         const results::RunRecord& run);
+
 /// Writes an entry under "expected" in the user's own file of `configuration` for each failure of the run
-/// that counts, with `reason`, and leaves every other byte as it is. The new text is read as any
-/// configuration before it takes the place of the old one. Then compares `run` with the new entries and
+/// that counts, with `reason`: acceptance_of. Then compares `run` with the new entries and
 /// writes its results.json anew. Returns the number of entries. InputError when the file cannot take them: it
 /// is untouched then.
 std::size_t accept_failures(const registry::Configuration& configuration,

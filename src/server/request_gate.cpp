@@ -1,12 +1,12 @@
 #include "server/request_gate.h"
 
 #include "base/text.h"
+#include "server/edit_gate.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <optional>
-#include <set>
 #include <vector>
 
 #include <fmt/format.h>
@@ -83,13 +83,21 @@ MaybeRefusal check_target(std::string_view target) {
   return check_segments(target.substr(0, target.find('?')));
 }
 
-MaybeRefusal check_request_line(const std::vector<std::string>& words) {
+bool is_edit(const std::vector<std::string>& words, const GateSettings& settings) {
+  return settings.edit && words.size() == 3 && words[0] == "POST" && words[1].starts_with(kEditPath);
+}
+
+MaybeRefusal check_request_line(const std::vector<std::string>& words, const GateSettings& settings) {
   if (words.size() != 3) return Refusal{400, "the request line is not 'METHOD address version'"};
   if (!is_token(words[0])) return Refusal{400, "the method is no word"};
   if (words[2] != "HTTP/1.1" && words[2] != "HTTP/1.0")
     return words[2].starts_with("HTTP/") ? Refusal{505, "only HTTP/1.0 and HTTP/1.1 are spoken here"}
                                          : Refusal{400, "the request line names no version of HTTP"};
-  if (words[0] != "GET" && words[0] != "HEAD") return Refusal{405, "only GET and HEAD are answered"};
+  const bool may_edit = is_edit(words, settings);
+  if (settings.edit && !may_edit && words[1].starts_with(kEditPath))
+    return Refusal{405, "only POST changes something", "POST"};
+  if (!may_edit && words[0] != "GET" && words[0] != "HEAD")
+    return Refusal{405, "only GET and HEAD are answered"};
   return check_target(words[1]);
 }
 
@@ -103,7 +111,7 @@ bool is_loopback_name(std::string_view host) {
   return is_port && (known == "localhost" || known == "127.0.0.1" || known == "[::1]");
 }
 
-MaybeRefusal check_header(std::string_view line, std::set<std::string>& seen, const GateSettings& settings) {
+MaybeRefusal check_header(std::string_view line, Headers& seen, bool has_body, const GateSettings& settings) {
   const auto colon = line.find(':');
   if (colon == std::string_view::npos || !is_token(line.substr(0, colon)))
     return Refusal{400, "a header is not 'name: value'"};
@@ -112,8 +120,10 @@ MaybeRefusal check_header(std::string_view line, std::set<std::string>& seen, co
   for (const char c : value)
     if ((static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7f)
       return Refusal{400, "a header holds a control character"};
-  const bool is_new = seen.insert(name).second;
-  if (name == "transfer-encoding" || name == "expect" || (name == "content-length" && value != "0"))
+  const bool is_new = seen.emplace(name, value).second;
+  if (has_body && !is_new) return Refusal{400, "a header is given twice"};
+  if (name == "transfer-encoding" || name == "expect" ||
+      (name == "content-length" && value != "0" && !has_body))
     return Refusal{413, "a request has no body here"};
   if (name != "host") return std::nullopt;
   if (!is_new) return Refusal{400, "Host is given twice"};
@@ -122,11 +132,13 @@ MaybeRefusal check_header(std::string_view line, std::set<std::string>& seen, co
   return std::nullopt;
 }
 
-MaybeRefusal check_headers(const std::vector<std::string_view>& lines, const GateSettings& settings) {
+MaybeRefusal check_headers(const std::vector<std::string_view>& lines,
+                           bool has_body,
+                           const GateSettings& settings,
+                           Headers& seen) {
   if (lines.size() - 1 > kMostHeaders) return Refusal{431, "there are too many headers"};
-  std::set<std::string> seen;
   for (std::size_t i = 1; i < lines.size(); ++i)
-    if (auto refusal = check_header(lines[i], seen, settings)) return refusal;
+    if (auto refusal = check_header(lines[i], seen, has_body, settings)) return refusal;
   if (!seen.contains("host")) return Refusal{400, "Host is missing"};
   return std::nullopt;
 }
@@ -159,6 +171,14 @@ std::optional<std::vector<std::string_view>> lines_of(std::string_view head) {
   return lines;
 }
 
+Admitted admitted_edit(const std::string& target, const Headers& headers) {
+  const auto bytes = static_cast<std::size_t>(*to_integer(headers.at("content-length")));
+  return {fmt::format("POST {} HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n"
+                      "Content-Type: application/json\r\nContent-Length: {}\r\n\r\n",
+                      target, bytes),
+          bytes};
+}
+
 }  // namespace
 
 std::string decoded(std::string_view text) {
@@ -179,8 +199,14 @@ std::variant<Admitted, Refusal> check_request(std::string_view head, const GateS
   const auto lines = lines_of(head);
   if (!lines || lines->empty()) return Refusal{400, "the lines of the request do not end in CR LF"};
   const auto words = split(lines->front(), ' ');
-  if (auto refusal = check_request_line(words)) return *refusal;
-  if (auto refusal = check_headers(*lines, settings)) return *refusal;
+  if (auto refusal = check_request_line(words, settings)) return *refusal;
+  const bool has_body = is_edit(words, settings);
+  Headers headers;
+  if (auto refusal = check_headers(*lines, has_body, settings, headers)) return *refusal;
+  if (has_body) {
+    if (auto refusal = check_edit(headers, *settings.edit)) return *refusal;
+    return admitted_edit(words[1], headers);
+  }
   const auto gzip = reads_gzip(*lines) ? fmt::format("{}: 1\r\n", kReadsGzip) : "";
   return Admitted{fmt::format("{} {} HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n{}\r\n", words[0],
                               words[1], gzip)};
@@ -192,11 +218,14 @@ std::string_view status_text(int status) {
     std::string_view text;
   };
   constexpr std::array kKnown{Known{400, "400 Bad Request"},
+                              Known{403, "403 Forbidden"},
                               Known{404, "404 Not Found"},
                               Known{405, "405 Method Not Allowed"},
                               Known{408, "408 Request Timeout"},
+                              Known{411, "411 Length Required"},
                               Known{413, "413 Content Too Large"},
                               Known{414, "414 URI Too Long"},
+                              Known{415, "415 Unsupported Media Type"},
                               Known{421, "421 Misdirected Request"},
                               Known{422, "422 Unprocessable Content"},
                               Known{431, "431 Request Header Fields Too Large"},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -22,6 +23,7 @@ constexpr const char* kReadsGzip = "Orbs-Reads-Gzip";
 struct Refusal {
   int status = 400;
   std::string reason;
+  std::string_view allow = "GET, HEAD";  // the methods, for 405
 };
 
 /// A request that may pass. `head` is rewritten from the parsed request without the client's headers, so that
@@ -29,17 +31,26 @@ struct Refusal {
 /// header of ours: httplib, whose library may be built with or without zlib, must not pack a second time.
 struct Admitted {
   std::string head;
+  std::size_t body_bytes = 0;  // that follow the head: of a request that changes something
+};
+
+/// What a request must know that changes something.
+struct EditGate {
+  std::string token;
+  int port = 0;  // of the server
 };
 
 struct GateSettings {
   /// Compares the name in Host with those of this machine's loopback. Off if the user binds to another
   /// address, whose names are unknown.
   bool only_loopback_names = true;
+  std::optional<EditGate> edit{};  // without it nothing can be changed
 };
 
 /// `head` is everything up to and with the empty line. Allowed: GET and HEAD of HTTP/1.0 and 1.1, an absolute
 /// path of printable ASCII whose percent codes hold UTF-8 and no separator, dot or control character, without
-/// empty, "." and ".." segments; one Host of this machine (DNS rebinding is refused); no body.
+/// empty, "." and ".." segments; one Host of this machine (DNS rebinding is refused); no body. With `edit`
+/// also POST of a path below /edit/ with a body, if check_edit lets it pass; no other method of such a path.
 std::variant<Admitted, Refusal> check_request(std::string_view head, const GateSettings& settings);
 
 /// Decodes the percent codes of an admitted path or query value, once.

@@ -1,6 +1,8 @@
 #include "server/serve.h"
 
 #include "base/error.h"
+#include "server/edit.h"
+#include "server/edit_gate.h"
 #include "server/request_gate.h"
 #include "server/served.h"
 #include "server/site.h"
@@ -65,9 +67,13 @@ class CheckedStream : public httplib::Stream {
   std::chrono::milliseconds write_timeout_;
 };
 
+struct Received {
+  std::string head;  // up to and with the empty line
+  std::string rest;  // what has come after it
+};
+
 // The request up to its empty line, or the reason why there is none; "" if the client went away.
-std::variant<std::string, Refusal> read_head(int sock, std::chrono::milliseconds time) {
-  const auto deadline = Clock::now() + time;
+std::variant<Received, Refusal> read_head(int sock, Clock::time_point deadline) {
   std::string head;
   std::array<char, 4096> piece{};
   while (head.size() <= kMostHeadBytes) {
@@ -78,9 +84,26 @@ std::variant<std::string, Refusal> read_head(int sock, std::chrono::milliseconds
     const auto searched = head.size() < 3 ? 0 : head.size() - 3;
     head.append(piece.data(), static_cast<std::size_t>(count));
     if (const auto end = head.find("\r\n\r\n", searched); end != std::string::npos)
-      return head.substr(0, end + 4);
+      return Received{head.substr(0, end + 4), head.substr(end + 4)};
   }
   return Refusal{431, "the headers are too long"};
+}
+
+// The body of that many bytes, which begins with `body`; none if it does not come in time.
+std::optional<std::string> read_body(int sock,
+                                     std::string body,
+                                     std::size_t bytes,
+                                     Clock::time_point deadline) {
+  std::array<char, 4096> piece{};
+  while (body.size() < bytes) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
+    if (left.count() <= 0 || !wait_for(sock, POLLIN, left)) return std::nullopt;
+    const auto count = ::recv(sock, piece.data(), piece.size(), 0);
+    if (count <= 0) return std::nullopt;
+    body.append(piece.data(), static_cast<std::size_t>(count));
+  }
+  body.resize(bytes);
+  return body;
 }
 
 void send_refusal(int sock, const Refusal& refusal, std::chrono::milliseconds time) {
@@ -93,7 +116,7 @@ void send_refusal(int sock, const Refusal& refusal, std::chrono::milliseconds ti
       "\r\n"
       "{}\n",
       status_text(refusal.status), refusal.reason.size() + 1,
-      refusal.status == 405 ? "Allow: GET, HEAD\r\n" : "", refusal.reason);
+      refusal.status == 405 ? fmt::format("Allow: {}\r\n", refusal.allow) : "", refusal.reason);
   if (wait_for(sock, POLLOUT, time)) ::send(sock, text.data(), text.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
 }
 
@@ -134,21 +157,29 @@ int GatedServer::open(const std::string& address, int port) {
                     port, std::strerror(errno)));
   // httplib listens with a backlog of 5; beyond that the system lets each client wait for a second.
   ::listen(svr_sock_, limits_.backlog);
+  if (gate_.edit) gate_.edit->port = bound;
   return bound;
 }
 
 void GatedServer::answer(socket_t sock) {
-  auto read = read_head(sock, limits_.head_timeout);
+  const auto deadline = Clock::now() + limits_.head_timeout;
+  auto read = read_head(sock, deadline);
   if (const auto* refusal = std::get_if<Refusal>(&read)) {
     if (refusal->status != 0) send_refusal(sock, *refusal, limits_.write_timeout);
     return;
   }
-  auto checked = check_request(std::get<std::string>(read), gate_);
+  auto& received = std::get<Received>(read);
+  auto checked = check_request(received.head, gate_);
   if (const auto* refusal = std::get_if<Refusal>(&checked)) {
     send_refusal(sock, *refusal, limits_.write_timeout);
     return;
   }
-  CheckedStream stream(sock, std::get<Admitted>(checked).head, limits_.write_timeout);
+  const auto& admitted = std::get<Admitted>(checked);
+  const auto body = admitted.body_bytes > 0
+                        ? read_body(sock, std::move(received.rest), admitted.body_bytes, deadline)
+                        : std::string();
+  if (!body) return send_refusal(sock, {408, "the request took too long"}, limits_.write_timeout);
+  CheckedStream stream(sock, admitted.head + *body, limits_.write_timeout);
   bool closed = false;
   process_request(stream, true, closed, nullptr);
 }
@@ -195,7 +226,13 @@ bool is_loopback_address(const std::string& address) {
 void serve(const ServeSettings& settings,
            const std::atomic<bool>& stop,
            const std::function<void(const std::string& url)>& ready) {
+  if (settings.editor && !is_loopback_address(settings.address))
+    throw InputError(
+        fmt::format("{} is not this machine's loopback address: a page that writes files is "
+                    "served there alone",
+                    settings.address));
   Site site;
+  if (settings.editor) site.editor = &*settings.editor;
   site.listeners.stop = &stop;
   site.bundle = load_bundle(settings.bundle);
   std::vector<std::filesystem::path> folders;
@@ -206,17 +243,25 @@ void serve(const ServeSettings& settings,
   site.names = run_names(folders);
   ConnectionLimits limits;
   limits.head_timeout = settings.head_timeout;
-  GatedServer server({is_loopback_address(settings.address)}, limits);
+  GateSettings gate{is_loopback_address(settings.address)};
+  if (settings.editor) gate.edit = EditGate{new_token()};
+  GatedServer server(gate, limits);
   server.Get(".*", [&](const httplib::Request& request, httplib::Response& response) {
     answer(site, request, response);
   });
+  if (settings.editor)
+    server.Post(".*", [&](const httplib::Request& request, httplib::Response& response) {
+      answer_edit(site, request, response);
+    });
   server.set_exception_handler(
       [](const httplib::Request&, httplib::Response& response, const std::exception_ptr&) {
         refuse(response, 500, "the server failed; please report what was asked");
       });
   const int port = server.open(settings.address, settings.port);
   const bool is_six = settings.address.find(':') != std::string::npos;
-  ready(fmt::format("http://{}:{}/", is_six ? "[" + settings.address + "]" : settings.address, port));
+  // Behind '#', where no browser sends it to anybody, no log notes it, and no link passes it on.
+  ready(fmt::format("http://{}:{}/{}", is_six ? "[" + settings.address + "]" : settings.address, port,
+                    gate.edit ? "#edit=" + gate.edit->token : ""));
   const Watch watch(stop, server);
   server.listen_after_bind();
 }

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "server/edit.h"
 #include "server/request_gate.h"
 
 #include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,14 +47,15 @@ struct ServeSettings {
   std::string address = "127.0.0.1";
   int port = 0;                                  // 0: any free port
   std::chrono::milliseconds head_timeout{5000};  // for a client to send its request
+  std::optional<Editor> editor{};                // whoever has the page's whole address may use it
 };
 
 /// True for the addresses that only this machine can reach: 127.0.0.0/8 and ::1.
 bool is_loopback_address(const std::string& address);
 
-/// Serves the runs read-only until `stop` is set; `ready` gets the address of the page as soon as it answers.
-/// InputError if a folder is neither run nor study, the page is not built, or the address cannot be
-/// bound.
+/// Serves the runs until `stop` is set; `ready` gets the address of the page as soon as it answers. Nothing
+/// is written but through an editor. InputError if there is an editor and the address is no loopback address,
+/// a folder is neither run nor study, the page is not built, or the address cannot be bound.
 void serve(const ServeSettings& settings,
            const std::atomic<bool>& stop,
            const std::function<void(const std::string& url)>& ready);

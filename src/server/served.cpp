@@ -111,6 +111,15 @@ std::string ServedRun::suite_and_size() {
   return view_.run.suite + " " + view_.run.size;
 }
 
+results::RunRecord ServedRun::record_of(const std::string& target, const std::string& renderer) {
+  const std::lock_guard lock(mutex_);
+  look();
+  auto record = view_.run;
+  std::erase_if(record.targets,
+                [&](const auto& one) { return one.target != target || one.renderer != renderer; });
+  return record;
+}
+
 std::uint64_t ServedRun::version() {
   const std::lock_guard lock(mutex_);
   look();

@@ -42,6 +42,9 @@ class ServedRun {
   /// "orbs 1/4": only runs of the same suite and size are compared.
   std::string suite_and_size();
 
+  /// The record of the run with those of its targets alone that have this name and renderer.
+  results::RunRecord record_of(const std::string& target, const std::string& renderer);
+
   /// Grows whenever the run changes. Reads the folder at most once per `kPollInterval`.
   std::uint64_t version();
   bool is_live();

@@ -59,7 +59,8 @@ bool send_bundle_file(const Site& site,
 
 std::string runs_json(Site& site) {
   json::Writer out;
-  out.begin_object().member("format", "orbs-runs/1").key("runs").begin_array();
+  out.begin_object().member("format", "orbs-runs/1").member("edit", site.editor != nullptr);
+  out.key("runs").begin_array();
   for (std::size_t i = 0; i < site.runs.size(); ++i) {
     const auto& served = site.runs[i];
     out.begin_object().member("name", site.names[i]);
@@ -217,13 +218,17 @@ std::vector<BundleFile> load_bundle(const std::filesystem::path& folder) {
   return files;
 }
 
-void answer(Site& site, const httplib::Request& request, httplib::Response& response) {
+void set_safe_headers(httplib::Response& response) {
   response.set_header("X-Content-Type-Options", "nosniff");
   response.set_header("Referrer-Policy", "no-referrer");
   response.set_header("Cross-Origin-Resource-Policy", "same-origin");
   response.set_header("Cross-Origin-Opener-Policy", "same-origin");
   response.set_header("Cache-Control", "no-store");
   response.status = 200;
+}
+
+void answer(Site& site, const httplib::Request& request, httplib::Response& response) {
+  set_safe_headers(response);
   // Uses the raw request target instead of httplib's decoding, because the gate has checked this decoding.
   const auto path = decoded(request.target.substr(0, request.target.find('?')));
   try {

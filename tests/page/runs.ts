@@ -60,6 +60,13 @@ export async function serve(...runs: string[]): Promise<Served> {
   return { url: /http:\S+\//.exec(line)?.[0] ?? "", process: child };
 }
 
+/** A server whose page may write to this configuration; the address holds the token. */
+export async function serveToEdit(configuration: string, ...runs: string[]): Promise<Served> {
+  const args = ["serve", "--edit", "--configuration", configuration, ...runs];
+  const { child, line } = await startChild("orbs", args, "ignore");
+  return { url: /http:\S+/.exec(line)?.[0] ?? "", process: child };
+}
+
 /** A live run; each line on its stdin completes a render, or is a look at one. */
 export async function playLive(
   folder: string,

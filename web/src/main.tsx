@@ -6,6 +6,7 @@ import { openSource } from "./data/source";
 import "./style/base.css";
 import "./style/overview.css";
 import "./style/case.css";
+import "./style/accept.css";
 import "./style/viewer.css";
 import "./style/charts.css";
 import "./style/cost.css";

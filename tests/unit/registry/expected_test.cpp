@@ -198,4 +198,8 @@ TEST(ExpectedFailures, AReplacedEntryKeepsItsLastDayUnlessItHasPassed) {
   EXPECT_EQ(after("2026-11-25").until.value_or(registry::Day{"none"}).text, "2026-11-25");
   EXPECT_FALSE(after("2026-11-26").until.has_value());
   EXPECT_EQ(after("2026-11-26").reason, "new");
+  auto dated = entry("101", "new");
+  dated.until = registry::Day{"2027-01-02"};
+  const auto replaced = read(registry::with_expected(before, read(before), {dated}, "2026-11-25"));
+  EXPECT_EQ(replaced.at(0).until.value_or(registry::Day{"none"}).text, "2027-01-02") << "its own comes first";
 }

@@ -251,6 +251,40 @@ TEST(PageData, HoldsEveryMemberOfTheRecordOfARender) {
     EXPECT_TRUE(holds(text, member)) << text;
 }
 
+// The commands that the page shows: `orbs run --accept-failures` writes an entry for no other target.
+TEST(PageData, NamesTheCommandsThatAcceptAFailureAndItsReference) {
+  using results::Expectation;
+  using results::Verdict;
+  results::RunView view;
+  view.run.suite = "s";
+  view.run.size = "1/4";
+  auto& target = view.run.targets.emplace_back();
+  target.case_name = "m1_grey";
+  target.target = "grey";
+  target.renderer = "r";
+  target.declared = true;
+  const auto detail = [&](Verdict verdict, Expectation expectation = Expectation::None) {
+    target.verdict = verdict;
+    target.expectation = expectation;
+    return report::target_detail(view, 0);
+  };
+  EXPECT_EQ(detail(Verdict::Fail).accept_command,
+            "orbs run --suite s --case m1_grey --scene grey --renderer r --size 1/4 --accept-failures");
+  EXPECT_NE(detail(Verdict::Crash, Expectation::News).accept_command, "");
+  EXPECT_EQ(detail(Verdict::Fail, Expectation::Known).accept_command, "");
+  EXPECT_EQ(detail(Verdict::Pass).accept_command, "");
+  EXPECT_EQ(detail(Verdict::PassWithRemarks).accept_command, "");
+  EXPECT_EQ(detail(Verdict::MissingReference).accept_command, "");
+  EXPECT_EQ(detail(Verdict::MissingReference).reference_command,
+            "orbs reference --suite s --case m1_grey --scene grey");
+  EXPECT_EQ(detail(Verdict::Fail).reference_command,
+            "orbs reference --suite s --case m1_grey --scene grey --accept");
+  view.run.strict = true;
+  EXPECT_NE(detail(Verdict::PassWithRemarks).accept_command, "");
+  target.declared = false;
+  EXPECT_EQ(detail(Verdict::Fail).accept_command, "");
+}
+
 // A run that goes on, with one render that has been looked at twice.
 TEST(PageData, AVerdictIsPreliminaryWhileItsRenderGoesOn) {
   results::RunView view;

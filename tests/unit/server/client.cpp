@@ -15,12 +15,17 @@ namespace orbs::server_tests {
 
 namespace fs = std::filesystem;
 
-RunningServer::RunningServer(const fs::path& run, std::chrono::milliseconds head_timeout) {
+RunningServer::RunningServer(const fs::path& run,
+                             std::chrono::milliseconds head_timeout,
+                             std::optional<server::Editor> editor) {
   for (const char* name : {"index.html", "page.js", "page.css", "icon.svg"})
     write_file(bundle_.path() / name, name);
-  thread_ = std::thread([this, run, head_timeout] {
-    server::serve({{run}, bundle_.path(), "127.0.0.1", 0, head_timeout}, stop_,
+  thread_ = std::thread([this, run, head_timeout, editor] {
+    server::serve({{run}, bundle_.path(), "127.0.0.1", 0, head_timeout, editor}, stop_,
                   [this](const std::string& url) {
+                    constexpr std::string_view kBefore = "#edit=";
+                    if (const auto at = url.find(kBefore); at != std::string::npos)
+                      token_ = url.substr(at + kBefore.size());
                     const auto digits = url.substr(url.rfind(':') + 1);
                     port_ = static_cast<int>(to_integer(digits.substr(0, digits.find('/'))).value_or(0));
                     port_.notify_all();

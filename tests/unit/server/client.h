@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -15,12 +16,15 @@ namespace orbs::server_tests {
 class RunningServer {
  public:
   explicit RunningServer(const std::filesystem::path& run,
-                         std::chrono::milliseconds head_timeout = server::ServeSettings{}.head_timeout);
+                         std::chrono::milliseconds head_timeout = server::ServeSettings{}.head_timeout,
+                         std::optional<server::Editor> editor = {});
   ~RunningServer();
   RunningServer(const RunningServer&) = delete;
   RunningServer& operator=(const RunningServer&) = delete;
 
   int port() const { return port_; }
+  /// What lets a request edit; "" without an editor.
+  const std::string& token() const { return token_; }
   /// All that the server sends back on a connection that sends `bytes`, until it closes.
   std::string talk(const std::string& bytes) const;
   /// talk with a GET of this target.
@@ -29,6 +33,7 @@ class RunningServer {
  private:
   std::atomic<bool> stop_ = false;
   std::atomic<int> port_ = 0;
+  std::string token_;  // written before the port
   ScratchFolder bundle_{"orbs-bundle"};
   std::thread thread_;
 };

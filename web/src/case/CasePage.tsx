@@ -7,6 +7,7 @@ import { cellLink } from "../overview/Grid";
 import { go, parseRoute, type Route } from "../route";
 import { flushView } from "../viewer/use_view";
 import { Viewer } from "../viewer/Viewer";
+import { Accept } from "./Accept";
 import { Cost } from "./Cost";
 import { Effects } from "./Effects";
 import { Logs } from "./Logs";
@@ -185,6 +186,7 @@ function Detail({ session, route, index, one, detail }: DetailProps) {
             <p class="quiet">Smallest error that this gate detects: {one.smallest_error_seen}</p>
           ) : null}
         </section>
+        <Accept key={index} session={session} index={index} detail={detail} />
         <Effects detail={detail} />
         <Cost detail={detail} />
         <Provenance session={session} detail={detail} />

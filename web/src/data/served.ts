@@ -2,6 +2,7 @@ import type { RunComparison } from "../compare/statistics";
 import type { Studies } from "../studies";
 import { pngAddress } from "./display";
 import { decoded } from "./decoder";
+import { editing } from "./edit";
 import type { Raster } from "./raster";
 import {
   kStudyKinds,
@@ -25,8 +26,9 @@ async function get(address: string, signal?: AbortSignal): Promise<Response> {
 const encoded = (path: string): string => path.split("/").map(encodeURIComponent).join("/");
 
 export async function servedSource(): Promise<Source> {
-  const { runs } = (await (await get("/data/runs.json")).json()) as {
+  const { runs, edit } = (await (await get("/data/runs.json")).json()) as {
     runs: { name: string; kind: Kind; suite: string }[];
+    edit: boolean;
   };
   const fileAddress = (run: number, file: string): string => `/data/${run}/file/${encoded(file)}`;
   const raster = async (
@@ -44,6 +46,7 @@ export async function servedSource(): Promise<Source> {
     kinds: runs.map((run) => run.kind),
     suites: runs.map((run) => run.suite),
     isServed: true,
+    edit: editing(edit),
     overview: async (run) => {
       const overview = (await (await get(`/data/${run}/overview.json`)).json()) as Overview;
       const expected = runs[run]?.name ?? "";

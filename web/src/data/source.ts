@@ -1,5 +1,6 @@
 import type { RunComparison } from "../compare/statistics";
 import type { Studies } from "../studies";
+import type { Editing } from "./edit";
 import { embeddedSource } from "./embedded";
 import { embeddedStudy } from "./embedded_study";
 import type { ImageFile, Overview, Progress, StudyKind, TargetDetail } from "./generated";
@@ -25,6 +26,8 @@ export interface Source {
   suites: string[];
   /** False for a page in one file, whose data never changes. */
   isServed: boolean;
+  /** What the page may write; "off" if it is left out. */
+  edit?: Editing;
   overview(run: number): Promise<Overview>;
   target(run: number, index: number): Promise<TargetDetail>;
   /** What `orbs compare-runs` says of two runs, or of one renderer of each. */

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "registry/configuration.h"
+#include "server/edit.h"
+
+namespace orbs::cli {
+
+/// Lets the page write what `orbs run --accept-failures` would write into the user's own file of this
+/// configuration.
+server::Editor page_editor(const registry::Configuration& configuration);
+
+}  // namespace orbs::cli
