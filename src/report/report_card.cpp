@@ -1,7 +1,7 @@
 #include "report/report_card.h"
 
+#include "base/short_sentence.h"
 #include "base/statistics.h"
-#include "report/short_reason.h"
 
 #include <algorithm>
 #include <cctype>
@@ -169,6 +169,7 @@ std::string why_known(const std::string& expected) {
 }
 
 TroubleGroup group_of(const TargetRecord& target) {
+  constexpr std::size_t kMostColumns = 96;
   TroubleGroup group{std::string(state_name(target)), "", names_a_fault(target), {}};
   if (group.is_diagnosis) {
     group.what = target.diagnosis.substr(0, target.diagnosis.find(": then"));
@@ -180,7 +181,7 @@ TroubleGroup group_of(const TargetRecord& target) {
     group.what = why_undecided(target.reason);
   } else {
     group.what = target.diagnosis == results::kNoUsualFault ? std::string(results::kNoUsualFault)
-                                                            : short_reason(target.reason);
+                                                            : short_sentence(target.reason, kMostColumns);
   }
   return group;
 }
