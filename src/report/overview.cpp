@@ -250,6 +250,8 @@ Overview overview_of(const RunView& view) {
   for (const auto& requirement : run.requirements)
     overview.requirements.push_back({requirement.code, requirement.title});
   overview.main_metric = main_metric(run);
+  overview.scenes = scene_effects(run);
+  overview.effect_study = run.effect_study;
   return overview;
 }
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,5 +16,8 @@ inline constexpr const char* kEffectCostsFile = "effect-costs.json";
 
 /// The costs by scene; empty if there is no file. InputError with file, line and key.
 std::map<std::string, std::vector<EffectCostRecord>> read_effect_costs(const std::filesystem::path& file);
+
+/// How they were measured; nothing if there is no file. InputError likewise.
+std::optional<EffectStudyRecord> read_effect_study(const std::filesystem::path& file);
 
 }  // namespace orbs::results

@@ -105,6 +105,7 @@ struct RunRecord {
   bool finished = true;  // false while running; stays false if the run was killed
   std::vector<CaseRecord> cases;
   std::vector<SceneRecord> scenes;
+  std::optional<EffectStudyRecord> effect_study;  // that measured the effect costs of the scenes
   std::vector<RendererRecord> renderers;
   std::vector<LeftOut> left_out;
   std::vector<RequirementRecord> requirements;
@@ -130,6 +131,7 @@ void fields(Visitor& visit, Record& run) {
   visit("host", run.host);
   visit("cases", run.cases);
   visit("scenes", run.scenes);
+  visit("effect_study", run.effect_study);
   visit("renderers", run.renderers);
   visit("left_out", run.left_out);
   visit("requirements", run.requirements);

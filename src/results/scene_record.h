@@ -2,6 +2,7 @@
 
 #include "json/fields.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,11 @@ struct EffectCostRecord {
   double time_ratio = 0;   // CPU time per sample over that of the effects that the scene calls for
   double error_ratio = 0;  // the same for CPU time to equal noise; 0 if unknown
   std::string change;      // "same to the bit", or how the image differs
+  std::optional<double> time_low = {}, time_high = {};             // around time_ratio; see EffectStudyRecord
+  std::optional<double> mean_change = {}, mean_change_error = {};  // relative to the image that is called for
+  bool is_enough = false;                                          // carries all that the scene calls for
+  bool is_equal = false;                                           // the same image to the bit
+  bool is_comparable = true;  // false: it has no light paths for a caustic, so its times are of other work
 };
 
 template <class Visitor, json::RecordOf<EffectCostRecord> Record>
@@ -59,6 +65,55 @@ void fields(Visitor& visit, Record& cost) {
   visit.required("time_ratio", cost.time_ratio);
   visit.required("error_ratio", cost.error_ratio);
   visit("change", cost.change);
+  visit("time_low", cost.time_low);
+  visit("time_high", cost.time_high);
+  visit("mean_change", cost.mean_change);
+  visit("mean_change_error", cost.mean_change_error);
+  visit("is_enough", cost.is_enough);
+  visit("is_equal", cost.is_equal);
+  visit("is_comparable", cost.is_comparable);
+}
+
+/// How and when the effect costs were measured: on which machine, what else it did, and whether a scene that
+/// was rendered twice in the same way differs from itself.
+struct EffectStudyRecord {
+  std::string started;
+  std::string orbs_version;
+  std::string cpu;
+  int cores = 0;
+  int rounds = 0;
+  int spp = 0;
+  int size_px = 0;
+  double load = 0;                 // when it started
+  std::optional<double> load_end;  // when it ended
+  bool has_intervals = false;  // time_low to time_high holds 95 %; else smallest and largest of the rounds
+  std::optional<int> renders, repeats, disturbed, unknown;  // by what others took; see OtherLoad
+  /// Scenes that were compared with themselves, and those where that showed a difference; absent: none was.
+  std::optional<int> self_scenes, self_differing;
+  std::optional<double> self_ratio, self_low, self_high;  // geometric mean of their time ratios, 95 %
+};
+
+template <class Visitor, json::RecordOf<EffectStudyRecord> Record>
+void fields(Visitor& visit, Record& study) {
+  visit("started", study.started);
+  visit("orbs_version", study.orbs_version);
+  visit("cpu", study.cpu);
+  visit("cores", study.cores);
+  visit("rounds", study.rounds);
+  visit("spp", study.spp);
+  visit("size_px", study.size_px);
+  visit("load", study.load);
+  visit("load_end", study.load_end);
+  visit("has_intervals", study.has_intervals);
+  visit("renders", study.renders);
+  visit("repeats", study.repeats);
+  visit("disturbed", study.disturbed);
+  visit("unknown", study.unknown);
+  visit("self_scenes", study.self_scenes);
+  visit("self_differing", study.self_differing);
+  visit("self_ratio", study.self_ratio);
+  visit("self_low", study.self_low);
+  visit("self_high", study.self_high);
 }
 
 /// What a scene calls for, and what its light paths must carry for that.

@@ -103,7 +103,9 @@ results::RunRecord record_at_start(const Plan& plan,
   for (const auto& one_case : plan.cases)
     record.cases.push_back({plan.suite.name, one_case.name, one_case.requirement, one_case.title,
                             one_case.tests, one_case.typical_mistake, smallest_error(one_case, plan, gates)});
-  auto effect_costs = results::read_effect_costs(plan.suite.references / results::kEffectCostsFile);
+  const auto effect_costs_file = plan.suite.references / results::kEffectCostsFile;
+  record.effect_study = results::read_effect_study(effect_costs_file);
+  auto effect_costs = results::read_effect_costs(effect_costs_file);
   for (const auto& scene : plan.scenes) {
     record.scenes.push_back(scene_record(scene.name, *scene.scene));
     record.scenes.back().effect_costs = effect_costs[scene.name];

@@ -38,6 +38,7 @@ const views: Record<string, { address: string; ready: string; image?: string }> 
     image: "result",
   },
   compare: { address: "#/compare", ready: ".compare section" },
+  effects: { address: "#/effects", ready: ".effect-matrix" },
   charts: { address: "#/charts", ready: ".plot canvas" },
 };
 

@@ -138,6 +138,27 @@ void add_all_verdicts(RunRecord& run) {
   }
 }
 
+results::EffectStudyRecord effect_study() {
+  results::EffectStudyRecord study;
+  study.started = "2026-11-20T10:00:00";
+  study.cpu = "a processor";
+  study.cores = 2;
+  study.rounds = 4;
+  study.load = 0.1;
+  study.load_end = 0.2;
+  study.has_intervals = true;
+  study.renders = 16;
+  study.repeats = 1;
+  study.disturbed = 0;
+  study.unknown = 0;
+  study.self_scenes = 1;
+  study.self_differing = 0;
+  study.self_ratio = 1.001;
+  study.self_low = 0.98;
+  study.self_high = 1.02;
+  return study;
+}
+
 RunRecord small_run(const fs::path& folder) {
   auto run = blank_run({"one", "two", "three"});
   run.cases.push_back(case_of("alpha", "m1_values", "Known values"));
@@ -153,13 +174,17 @@ RunRecord small_run(const fs::path& folder) {
   run.targets.push_back(target_of("m1_values", by_two, Verdict::Pass));
   add_values_by_two(folder, run.targets.back());
   run.cases.push_back(case_of("beta", "a1_stokes", "Polarised light"));
-  run.scenes.push_back({"stokes",
-                        "polarised",
-                        {{"polarisation", "material 'filter'", "is a polariser"},
-                         {"polarisation", "the image", "holds Stokes vectors"}},
-                        {{"spectral", "material 'grey'", "is constant <b>"}},
-                        "G2/M1",
-                        {{"spectral", 0.8, 0.5, "mean -15 +- 0.1 %"}, {"rgb", 0.6, 0, "mean -15 +- 0.2 %"}}});
+  run.scenes.push_back(
+      {"stokes",
+       "polarised",
+       {{"polarisation", "material 'filter'", "is a polariser"},
+        {"polarisation", "the image", "holds Stokes vectors"}},
+       {{"spectral", "material 'grey'", "is constant <b>"}},
+       "G2/M1",
+       {{"spectral", 0.8, 0.5, "mean -15 +- 0.1 %", 0.75, 0.85, -0.15, 0.001},
+        {"rgb", 0.6, 0, "mean -15 +- 0.2 %"},
+        {"polarised-bispectral", 1.04, 1.04, "same to the bit", 1.02, 1.06, 0, 0, true, true}}});
+  run.effect_study = effect_study();
   const auto stokes = job_of("stokes", "one", 3);
   run.jobs.push_back(stokes);
   run.targets.push_back(target_of("a1_stokes", stokes, Verdict::Pass));

@@ -7,6 +7,7 @@ import { NoSuchRun } from "./common/NoSuchRun";
 import { runNamed, runQuery, type Session } from "./common/session";
 import { ComparePage } from "./compare/ComparePage";
 import type { Source } from "./data/source";
+import { EffectsPage } from "./effects/EffectsPage";
 import { Header } from "./Header";
 import { OverviewPage } from "./overview/OverviewPage";
 import { go, note, useRoute } from "./route";
@@ -91,6 +92,7 @@ function View({ session, view }: { session: Session; view: string }) {
   const route = useRoute();
   if (view === "case") return <CasePage session={session} route={route} />;
   if (view === "charts") return <ChartsPage session={session} route={route} />;
+  if (view === "effects") return <EffectsPage session={session} />;
   if (view === "compare") return <ComparePage session={session} route={route} />;
   return (
     <>

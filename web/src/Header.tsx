@@ -49,6 +49,7 @@ export function Header({ source, run: index, session, study, route, onHelp }: Pr
           <>
             {link([], "Overview")}
             {link(["charts"], "Time and memory")}
+            {link(["effects"], "Effects")}
             {link(["compare"], "Compare")}
           </>
         )}

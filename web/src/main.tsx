@@ -9,6 +9,7 @@ import "./style/case.css";
 import "./style/accept.css";
 import "./style/viewer.css";
 import "./style/charts.css";
+import "./style/effects.css";
 import "./style/cost.css";
 import "./style/cost_chart.css";
 import "./style/stability.css";

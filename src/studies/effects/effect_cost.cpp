@@ -6,10 +6,12 @@
 #include "registry/cases.h"
 #include "run/execute.h"
 #include "run/host.h"
+#include "run/machine_time.h"
 #include "run/plan/choose_renderers.h"
 #include "run/render.h"
 #include "scene/effects/effects.h"
 #include "scene/load/load_scene.h"
+#include "studies/cost/other_load.h"
 
 #include <algorithm>
 #include <set>
@@ -26,6 +28,7 @@ struct Variant {
   run::PreparedRender subject;
   std::vector<std::string> arguments;
   bool is_enough = false;  // carries all that the scene calls for
+  bool is_again = false;   // the same as the first variant
   std::vector<double> cpu_seconds{};
   std::vector<image::Image> images{};
 };
@@ -51,6 +54,7 @@ std::vector<Variant> variants_of(const scene::Scene& scene,
   std::vector<Variant> variants;
   const auto subject = run::prepare_render(renderer, plan, scene, scratch / "scene");
   variants.push_back({std::string(transport_name(needed)), subject, {}, true});
+  variants.push_back({"again", subject, {}, true, true});
   for (const auto transport : scene::kTransports) {
     if (transport == needed) continue;
     const std::string name(transport_name(transport));
@@ -71,16 +75,44 @@ std::vector<Variant> variants_of(const scene::Scene& scene,
   return variants;
 }
 
+// Renders again while others take so much of the machine that the time is not that of the renderer alone, but
+// not for ever. Nothing if the user interrupts.
+std::optional<run::RenderedImage> render_alone(const run::PreparedRender& subject,
+                                               const run::RenderSettings& settings,
+                                               const StudyContext& context,
+                                               EffectCostLoad& load) {
+  ++load.renders;
+  for (int repeats = 0;; ++repeats) {
+    const auto before = run::machine_time();
+    auto made = run::render_once(subject, settings, context.stop);
+    const auto after = run::machine_time();
+    if (!made) return std::nullopt;
+    const auto share = before && after
+                           ? run::share_of_others(*before, *after,
+                                                  made->cost.cpu_seconds + made->cost.supervisor_cpu_seconds)
+                           : std::nullopt;
+    const bool is_disturbed = share.value_or(0) > kMostOtherShare;
+    if (is_disturbed && repeats < kMostRepeats) {
+      ++load.repeats;
+      continue;
+    }
+    load.disturbed += is_disturbed ? 1 : 0;
+    load.unknown += share ? 0 : 1;
+    return made;
+  }
+}
+
 // False if the user interrupts.
 bool render_rounds(std::vector<Variant>& variants,
                    const EffectCostSettings& settings,
-                   const StudyContext& context) {
+                   const StudyContext& context,
+                   EffectCostLoad& load) {
   for (int round = 0; round < settings.rounds; ++round)
     for (std::size_t turn = 0; turn < variants.size(); ++turn) {
       // Every other round runs backwards, so that no variant always comes first.
       auto& variant = variants[round % 2 == 0 ? turn : variants.size() - 1 - turn];
-      auto made = run::render_once(variant.subject, {settings.spp, round + 1, 1, variant.arguments, true},
-                                   context.stop);
+      auto made =
+          render_alone(variant.subject, {settings.spp, round + 1, 1, variant.arguments, true}, context, load);
       if (!made) return false;
       variant.cpu_seconds.push_back(made->cost.samples_cpu_seconds.value_or(made->cost.cpu_seconds));
       variant.images.push_back(std::move(made->image));
@@ -94,6 +126,7 @@ Alternative compared(const Variant& usual, const Variant& other) {
   for (std::size_t i = 0; i < usual.cpu_seconds.size(); ++i)
     ratios.push_back(other.cpu_seconds[i] / usual.cpu_seconds[i]);
   out.time_ratio = *spread_of(ratios);
+  out.time_interval = paired_interval(ratios);
   const double variance = mean_variance(usual.images);
   if (variance > 0 && out.change.is_comparable)
     out.error_ratio = out.time_ratio.median * mean_variance(other.images) / variance;
@@ -112,8 +145,13 @@ SceneEffectCosts effect_costs_of(const std::string& name,
     if (effect_costs.effects.empty() || effect_costs.effects.back() != effect)
       effect_costs.effects.push_back(effect);
   }
-  for (std::size_t i = 1; i < variants.size(); ++i)
-    effect_costs.alternatives.push_back(compared(usual, variants[i]));
+  for (std::size_t i = 1; i < variants.size(); ++i) {
+    auto alternative = compared(usual, variants[i]);
+    if (variants[i].is_again)
+      effect_costs.again = std::move(alternative);
+    else
+      effect_costs.alternatives.push_back(std::move(alternative));
+  }
   return effect_costs;
 }
 
@@ -130,8 +168,9 @@ std::optional<EffectCosts> measure_effect_costs(const registry::Configuration& c
   plan.settings.renderers = "orbs";
   plan.settings.sandbox = context.sandbox;
   run::choose_renderers(configuration, plan);
-  EffectCosts list{settings,         context.orbs_version, suite, local_time_now(),
-                   run::this_host(), run::load_average(),  {}};
+  EffectCosts list{
+      settings, context.orbs_version, suite, local_time_now(), run::this_host(), run::load_average(), {}, 0,
+      {}};
   const auto& chosen_suite = registry::find_suite(configuration, suite);
   const auto chosen = registry::scenes_of(chosen_suite, scenes);
   for (const auto& one : chosen) {
@@ -139,10 +178,11 @@ std::optional<EffectCosts> measure_effect_costs(const registry::Configuration& c
     const auto scene = with_note(fmt::format("reading scene '{}'", one.name),
                                  [&] { return scaled_scene(one, chosen_suite, settings.size_px); });
     auto variants = variants_of(scene, plan, scratch.path());
-    if (!render_rounds(variants, settings, context)) return std::nullopt;
+    if (!render_rounds(variants, settings, context, list.other_load)) return std::nullopt;
     list.scenes.push_back(effect_costs_of(one.name, variants, settings));
     context.say(fmt::format("[{}/{}] {}", list.scenes.size(), chosen.size(), one.name));
   }
+  list.load_end = run::load_average();
   return list;
 }
 

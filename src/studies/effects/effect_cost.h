@@ -28,6 +28,8 @@ struct Alternative {
   /// The ratio of CPU times to equal noise: time_ratio times the ratio of variances. 0 if unknown.
   double error_ratio = 0;
   ImageChange change;
+  /// 95 % around the geometric mean of time_ratio, from its scatter over the rounds; nothing if a time is 0.
+  std::optional<Interval> time_interval = {};
 };
 
 struct SceneEffectCosts {
@@ -36,6 +38,17 @@ struct SceneEffectCosts {
   std::vector<std::string> effects;
   double paths_per_cpu_second = 0;  // median
   std::vector<Alternative> alternatives;
+  /// The scene itself, rendered once more in each round (A/A): any difference is that of the machine.
+  std::optional<Alternative> again = {};
+};
+
+/// What other work did to the renders of the study, by the rule of the cost study: see other_load.h. A render
+/// that stays disturbed is kept, since each round is a pair, and counted.
+struct EffectCostLoad {
+  int renders = 0;
+  int repeats = 0;
+  int disturbed = 0;
+  int unknown = 0;  // renders of which it is not known
 };
 
 struct EffectCosts {
@@ -46,6 +59,8 @@ struct EffectCosts {
   results::Host host;
   double load = 0;  // when the study started
   std::vector<SceneEffectCosts> scenes;
+  double load_end = 0;
+  EffectCostLoad other_load = {};
 };
 
 /// Measures the scenes of the suite whose names match `scenes`, comma-separated patterns. None if the user
@@ -55,6 +70,12 @@ std::optional<EffectCosts> measure_effect_costs(const registry::Configuration& c
                                                 const std::string& scenes,
                                                 const EffectCostSettings& settings,
                                                 const StudyContext& context);
+
+/// The 95 % interval of the geometric mean of ratios of paired times; nothing if one of them is no ratio.
+std::optional<Interval> paired_interval(const std::vector<double>& ratios);
+
+/// What the pages say of the study: machine, settings, what others took, and the A/A comparison.
+results::EffectStudyRecord study_record(const EffectCosts& list);
 
 /// True if every richer transport gave the same image.
 bool all_agree(const EffectCosts& list);

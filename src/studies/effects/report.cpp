@@ -3,6 +3,7 @@
 #include "base/text_table.h"
 #include "json/field_writer.h"
 #include "json/writer.h"
+#include "studies/cost/other_load.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +38,23 @@ std::string spread_text(const Spread& ratio) {
   return fmt::format("{:.2f} ({:.2f} to {:.2f})", ratio.median, ratio.least, ratio.most);
 }
 
+// The line that the table and the Markdown end with.
+std::string check_text(const EffectCosts& list) {
+  const auto study = study_record(list);
+  std::string text = fmt::format(
+      "other work on the machine: load {:.2f} at the start and {:.2f} at the end; others took more than {:g} % "
+      "of it in {} of {} renders, after {} repeats\n",
+      list.load, list.load_end, 100 * kMostOtherShare, list.other_load.disturbed, list.other_load.renders,
+      list.other_load.repeats);
+  if (study.self_ratio)
+    text += fmt::format(
+        "the same scene twice (A/A): time ratio {:.3f} (95 %: {:.3f} to {:.3f}) over {} scenes, of which {} "
+        "alone show a difference; chance is 1 in 20\n",
+        *study.self_ratio, study.self_low.value_or(0), study.self_high.value_or(0), *study.self_scenes,
+        *study.self_differing);
+  return text;
+}
+
 void put(json::Writer& out, const char* name, const MeanOfRounds& m) {
   out.key(name)
       .begin_object()
@@ -49,6 +67,12 @@ void put(json::Writer& out, const Alternative& alternative) {
   const auto& change = alternative.change;
   out.begin_object().member("name", alternative.name).member("is_enough", alternative.is_enough);
   write_spread(out, "time_ratio", alternative.time_ratio);
+  if (alternative.time_interval)
+    out.key("time_interval")
+        .begin_object()
+        .member("low", alternative.time_interval->low)
+        .member("high", alternative.time_interval->high)
+        .end_object();
   out.member("error_ratio", alternative.error_ratio)
       .member("is_equal", change.is_equal)
       .member("change", image_text(alternative));
@@ -67,6 +91,8 @@ void put_definitions(json::Writer& out) {
       .member("time_ratio",
               "CPU time of the samples over that of the same samples with the usual transport; "
               "median, least and most of the rounds")
+      .member("time_interval", "95 % around the geometric mean of the rounds' time ratios, by their scatter")
+      .member("again", "the scene rendered once more in each round in the same way: A/A")
       .member("error_ratio",
               "median time ratio times the ratio of the mean variances in linear Rec.709: the cost "
               "of equal noise; 0 if unknown: no noise, or no light paths for the caustic")
@@ -92,7 +118,7 @@ std::string effect_cost_table(const EffectCosts& list, int width) {
                       ratio_text(alternative.error_ratio), image_text(alternative)});
     text += text_table(rows, {Align::Left, Align::Right, Align::Right}, {width, {}});
   }
-  return text;
+  return text.empty() ? text : text + "\n" + check_text(list);
 }
 
 std::string effect_cost_markdown(const EffectCosts& list) {
@@ -121,6 +147,8 @@ std::string effect_cost_json(const EffectCosts& list) {
   host.name.clear();  // published with the suite, whose readers need the kind of machine alone
   out.key("host");
   json::write_record(out, host);
+  out.key("study");
+  json::write_record(out, study_record(list));
   out.key("scenes").begin_array();
   for (const auto& scene : list.scenes) {
     out.begin_object()
@@ -130,7 +158,12 @@ std::string effect_cost_json(const EffectCosts& list) {
         .member("paths_per_cpu_second", scene.paths_per_cpu_second);
     out.key("alternatives").begin_array();
     for (const auto& alternative : scene.alternatives) put(out, alternative);
-    out.end_array().end_object();
+    out.end_array();
+    if (scene.again) {
+      out.key("again");
+      put(out, *scene.again);
+    }
+    out.end_object();
   }
   out.end_array();
   put_definitions(out);
