@@ -1,7 +1,7 @@
 #pragma once
 
 #include "registry/configuration.h"
-#include "server/edit.h"
+#include "server/editor.h"
 
 namespace orbs::cli {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cli/program.h"
-#include "server/edit.h"
+#include "server/editor.h"
 
 #include <filesystem>
 #include <optional>

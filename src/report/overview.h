@@ -1,6 +1,7 @@
 #pragma once
 
 #include "report/report_card.h"
+#include "report/scene_effects.h"
 #include "results/run_folder.h"
 
 #include <cstddef>
@@ -134,25 +135,6 @@ void fields(Visitor& visit, Record& cells) {
   visit("spp", cells.spp);
 }
 
-/// What a scene calls for, and the cost of each effect; the reasons are in the data of the target.
-struct SceneEffects {
-  std::string name;
-  std::string transport;
-  std::optional<std::size_t> cell;  // the first target that shows this scene alone
-  std::vector<std::string> called_for, not_called_for;
-  std::vector<results::EffectCostRecord> costs;
-};
-
-template <class Visitor, json::RecordOf<SceneEffects> Record>
-void fields(Visitor& visit, Record& scene) {
-  visit("name", scene.name);
-  visit("transport", scene.transport);
-  visit("cell", scene.cell);
-  visit("called_for", scene.called_for);
-  visit("not_called_for", scene.not_called_for);
-  visit("costs", scene.costs);
-}
-
 /// The data of the overview and the charts, as columns instead of objects, so that the browser reads 10 000
 /// cells in a few milliseconds. A number that is infinite is null in `measures`, and listed in `infinite`.
 struct Overview {
@@ -197,9 +179,6 @@ void fields(Visitor& visit, Record& overview) {
 }
 
 Overview overview_of(const results::RunView& view);
-
-/// The scenes of a run with the effects that each calls for, once each.
-std::vector<SceneEffects> scene_effects(const results::RunRecord& run);
 
 std::string overview_json(const results::RunView& view);
 

@@ -1,4 +1,4 @@
-#include "report/overview.h"
+#include "report/scene_effects.h"
 
 #include <algorithm>
 

@@ -7,7 +7,6 @@
 #include "json/field_reader.h"
 #include "report/file_change.h"
 #include "server/request_gate.h"
-#include "server/site.h"
 
 #include <optional>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "server/request_gate.h"
+#include "server/refusal.h"
 
 #include <map>
 #include <optional>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "server/refusal.h"
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,24 +22,12 @@ constexpr std::size_t kMostHeaders = 64;
 /// In an admitted head if the client reads gzip.
 constexpr const char* kReadsGzip = "Orbs-Reads-Gzip";
 
-struct Refusal {
-  int status = 400;
-  std::string reason;
-  std::string_view allow = "GET, HEAD";  // the methods, for 405
-};
-
 /// A request that may pass. `head` is rewritten from the parsed request without the client's headers, so that
 /// httplib reads no byte that the gate has not checked. What a client says about gzip is passed on as a
 /// header of ours: httplib, whose library may be built with or without zlib, must not pack a second time.
 struct Admitted {
   std::string head;
   std::size_t body_bytes = 0;  // that follow the head: of a request that changes something
-};
-
-/// What a request must know that changes something.
-struct EditGate {
-  std::string token;
-  int port = 0;  // of the server
 };
 
 struct GateSettings {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "server/edit.h"
+#include "server/editor.h"
 #include "server/request_gate.h"
 
 #include <atomic>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "server/edit.h"
+#include "server/editor.h"
 #include "server/events.h"
 #include "server/image_cache.h"
 #include "server/packed_text.h"
@@ -24,7 +24,7 @@
 ///   /data/<run>/preview/<path>.exr           a small PNG of it (report::preview_png)
 ///   /data/<run>/file/<path>                  a file of the run's folder as it is
 ///   /data/<run>/events                       progress of a run that goes on, as server-sent events
-///   /edit/known-failure                      POST: see answer_edit
+///   /edit/known-failure                      POST: see edit.h
 /// <run> counts from 0, over runs and studies. A study has only image/, preview/ and file/; the page reads
 /// its file, such as file/cost.json.
 namespace orbs::server {
@@ -56,9 +56,6 @@ std::vector<BundleFile> load_bundle(const std::filesystem::path& folder);
 
 /// Answers one admitted request that changes nothing.
 void answer(Site& site, const httplib::Request& request, httplib::Response& response);
-
-/// Answers one admitted POST, see edit.h.
-void answer_edit(Site& site, const httplib::Request& request, httplib::Response& response);
 
 /// Headers that every answer has: it is not kept, its type is not guessed, and other pages learn nothing of
 /// it.

@@ -12,6 +12,7 @@
 #include "scene/effects/effects.h"
 #include "scene/load/load_scene.h"
 #include "studies/cost/other_load.h"
+#include "studies/effects/paired_interval.h"
 
 #include <algorithm>
 #include <set>

@@ -71,12 +71,6 @@ std::optional<EffectCosts> measure_effect_costs(const registry::Configuration& c
                                                 const EffectCostSettings& settings,
                                                 const StudyContext& context);
 
-/// The 95 % interval of the geometric mean of ratios of paired times; nothing if one of them is no ratio.
-std::optional<Interval> paired_interval(const std::vector<double>& ratios);
-
-/// What the pages say of the study: machine, settings, what others took, and the A/A comparison.
-results::EffectStudyRecord study_record(const EffectCosts& list);
-
 /// True if every richer transport gave the same image.
 bool all_agree(const EffectCosts& list);
 

@@ -4,6 +4,7 @@
 #include "json/field_writer.h"
 #include "json/writer.h"
 #include "studies/cost/other_load.h"
+#include "studies/effects/self_check.h"
 
 #include <algorithm>
 #include <cmath>
