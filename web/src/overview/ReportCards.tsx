@@ -1,8 +1,9 @@
 import { useRelated } from "../common/related";
-import type { Session } from "../common/session";
+import { runQuery, type Session } from "../common/session";
 import { lookOf } from "../common/states";
 import { TableHead, type Column } from "../common/TableHead";
 import type { Overview, ReportCard, TroubleGroup } from "../data/generated";
+import { effectsOf } from "../effects/effect_cells";
 import { routeText } from "../route";
 import { costSaid, stabilitySaid, type Said } from "./card_texts";
 import { cellLink } from "./Grid";
@@ -122,6 +123,30 @@ function Card({ session, card, cost, stability }: CardProps) {
   );
 }
 
+/** Which effects the scenes of the run call for, the most frequent first. */
+function EffectsLine({ session }: { session: Session }) {
+  const { scenes } = session.overview;
+  const counts = effectsOf(scenes)
+    .map((effect) => ({
+      effect,
+      count: scenes.filter((one) => one.called_for.includes(effect)).length,
+    }))
+    .filter(({ count }) => count > 0)
+    .sort((a, b) => b.count - a.count);
+  if (counts.length === 0) return null;
+  const texts = counts.map(({ effect, count }) => `${effect} (${count})`);
+  return (
+    <p class="effects-line">
+      <b>What is called for?</b> Of {scenes.length} scenes: {texts.join(", ")}. What a scene does
+      not call for costs nothing:{" "}
+      <a href={routeText({ path: ["effects"], query: runQuery(session.source, session.run) })}>
+        effects and their costs
+      </a>
+      .
+    </p>
+  );
+}
+
 /** The answer for each renderer in one screen: is it right, what does it cost, does it stay right. */
 export function ReportCards({ session }: { session: Session }) {
   const { overview, source } = session;
@@ -148,6 +173,7 @@ export function ReportCards({ session }: { session: Session }) {
           {renderer} was left out: {reason}
         </p>
       ))}
+      <EffectsLine session={session} />
       <details class="declared">
         <summary>What each declares, has measured and took</summary>
         <RendererTable overview={overview} />
