@@ -42,7 +42,9 @@ export function Provenance({ session, detail }: { session: Session; detail: Targ
     <section class="provenance">
       <h2>Provenance</h2>
       <p>
-        {detail.jobs.map((job) => `${job.program.version}, ${samplesText(job)} samples`).join("; ")}
+        {detail.jobs
+          .map((job) => `${job.program.version}; samples per pixel: ${samplesText(job)}`)
+          .join("; ")}
       </p>
       <details>
         <summary>Machine, seeds, reference</summary>

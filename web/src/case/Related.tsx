@@ -175,9 +175,9 @@ export function Related({ session, detail }: Props) {
       </div>
       {isAlone ? (
         <p class="quiet">
-          This page holds the run alone. `orbs serve` in the folder of the runs also shows the
-          error–time curves of `orbs cost`, the breaks of `orbs stability`, and earlier runs of this
-          target.
+          This page holds the run alone. “orbs serve” in the folder of runs and studies also shows
+          the error–time curves of “orbs cost”, the breaks of “orbs stability”, and this target in
+          earlier runs.
         </p>
       ) : null}
     </section>
