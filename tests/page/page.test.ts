@@ -288,6 +288,7 @@ test("a target lists the effects that its scene calls for, and their cost", asyn
   assert.deepEqual(await effects.locator("tbody tr").allInnerTexts(), [
     "spectral\t× 0.80\t× 0.50\tmean -15 +- 0.1 %",
     "rgb\t× 0.60\t–\tmean -15 +- 0.2 %",
+    "polarised-bispectral\t× 1.04\t× 1.04\tsame to the bit",
   ]);
   assert.deepEqual(errors, []);
   await page.close();

@@ -62,3 +62,26 @@ TEST(EffectCostReport, MarkdownAndJsonHoldTheSame) {
   EXPECT_EQ(ways.at(0).text("change"), "same but for noise");
   EXPECT_EQ(ways.at(0).object("time_ratio").number("most"), 1.6);
 }
+
+// The same scene twice: a machine that slows one of the two by 5 % each time is told from chance.
+TEST(EffectCostReport, TheSameSceneTwiceShowsWhatTheMachineDoes) {
+  auto list = list_of(way(true, ""));
+  list.other_load = {12, 3, 1, 0};
+  EXPECT_EQ(studies::study_record(list).self_scenes, std::nullopt);
+  auto again = way(true, "");
+  again.time_interval = studies::paired_interval({1.05, 1.051, 1.049, 1.05});
+  list.scenes.front().again = again;
+  const auto study = studies::study_record(list);
+  EXPECT_EQ(study.self_scenes, 1);
+  EXPECT_EQ(study.self_differing, 1);
+  EXPECT_NEAR(study.self_ratio.value(), 1.05, 1e-3);
+  EXPECT_GT(study.self_low.value(), 1.04);
+  EXPECT_EQ(study.disturbed, 1);
+  EXPECT_TRUE(says(list, "in 1 of 12 renders, after 3 repeats")) << studies::effect_cost_table(list);
+  EXPECT_TRUE(says(list, "(A/A): time ratio 1.050")) << studies::effect_cost_table(list);
+}
+
+TEST(EffectCostReport, ATimeOfZeroHasNoInterval) {
+  EXPECT_FALSE(studies::paired_interval({0, 1, 1}));
+  EXPECT_FALSE(studies::paired_interval({1}));
+}

@@ -13,6 +13,9 @@ import {
 } from "./effect_cells";
 import { HowMeasured, Proof } from "./Proof";
 
+const meanText = (change: number | undefined): string =>
+  change === undefined ? "mean same but for noise" : `mean up to ${changeText(change)}`;
+
 function Summary({ scenes, effects }: { scenes: SceneEffects[]; effects: string[] }) {
   return (
     <div class="effect-scroll" tabIndex={0} role="region" aria-label="Costs by effect">
@@ -22,7 +25,10 @@ function Summary({ scenes, effects }: { scenes: SceneEffects[]; effects: string[
             { label: "Effect" },
             { label: "Scenes", isNumber: true },
             { label: "Time with it", isNumber: true, title: "median of the scenes; all scenes" },
-            { label: "Image without it", title: "the largest change of the mean of an image" },
+            {
+              label: "Image without it",
+              title: "the largest change of an image's mean beyond three standard errors",
+            },
           ]}
         />
         <tbody>
@@ -41,7 +47,7 @@ function Summary({ scenes, effects }: { scenes: SceneEffects[]; effects: string[
                     "not measured"
                   )}
                 </td>
-                <td>{time ? `up to ${changeText(mostChange)}` : ""}</td>
+                <td>{time ? meanText(mostChange) : ""}</td>
               </tr>
             );
           })}
@@ -65,10 +71,14 @@ function Cell({ scene, effect, link }: { scene: SceneEffects; effect: string; li
     <td class="needs" title={cost ? `${cost.record.name}: ${cost.record.change}` : undefined}>
       {link ? <a href={link}>{text}</a> : text}
       {cost ? <small>{rangeText(cost.time)}</small> : null}
-      {cost ? <small>{changeText(cost.meanChange)}</small> : null}
+      {cost ? <small class="worth">{cost.record.change}</small> : null}
     </td>
   );
 }
+
+/** A line may end after an underscore. */
+const breakable = (name: string) =>
+  name.split(/(?<=_)/).flatMap((part, i) => (i ? [<wbr />, part] : [part]));
 
 function SparedCell({ scene }: { scene: SceneEffects }) {
   const richest = spared(scene);
@@ -103,7 +113,13 @@ function Matrix({ session, effects }: { session: Session; effects: string[] }) {
             const link = scene.cell === undefined ? {} : { link: cellLink(session, scene.cell) };
             return (
               <tr key={scene.name}>
-                <th scope="row">{link.link ? <a href={link.link}>{scene.name}</a> : scene.name}</th>
+                <th scope="row">
+                  {link.link ? (
+                    <a href={link.link}>{breakable(scene.name)}</a>
+                  ) : (
+                    breakable(scene.name)
+                  )}
+                </th>
                 <td>{scene.transport}</td>
                 {effects.map((effect) => (
                   <Cell key={effect} scene={scene} effect={effect} {...link} />

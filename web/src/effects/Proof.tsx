@@ -6,6 +6,7 @@ export function Proof({ scenes }: { scenes: SceneEffects[] }) {
   const richer = scenes
     .flatMap(({ costs }) => costs)
     .filter(({ is_enough, is_comparable }) => is_enough && is_comparable);
+  const differing = richer.filter(({ change }) => change.startsWith("DIFFERS")).length;
   const equal = richer.filter(({ is_equal }) => is_equal).length;
   return (
     <section class="effect-notes">
@@ -29,8 +30,11 @@ export function Proof({ scenes }: { scenes: SceneEffects[] }) {
             <b>
               {equal} of {richer.length}
             </b>{" "}
-            renders with a richer transport than the scene calls for are the same image to the bit;
-            the others use their random numbers differently and are compared within noise.
+            measurements with a richer transport than the scene calls for gave the same image to the
+            bit;{" "}
+            {differing > 0
+              ? `${differing} differ beyond noise, which is an error; the rest are the same but for noise.`
+              : "all others are the same but for noise."}
           </li>
         ) : null}
       </ul>

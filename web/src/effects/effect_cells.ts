@@ -63,7 +63,7 @@ export interface EffectSummary {
   measured: number;
   /** Median of the scenes, and the smallest and the largest of them. */
   time: Ratio | undefined;
-  /** The largest change of a mean without the effect. */
+  /** The largest change of a mean without the effect that is beyond three standard errors. */
   mostChange: number | undefined;
 }
 
@@ -76,7 +76,11 @@ export function summaryOf(scenes: SceneEffects[], effect: string): EffectSummary
   const calling = scenes.filter(({ called_for }) => called_for.includes(effect));
   const costs = calling.flatMap((scene) => costOf(scene, effect) ?? []);
   const times = costs.map(({ time }) => time.value).sort((a, b) => a - b);
-  const changes = costs.flatMap(({ meanChange }) => meanChange ?? []);
+  const changes = costs.flatMap(({ meanChange, record }) =>
+    meanChange !== undefined && Math.abs(meanChange) > 3 * (record.mean_change_error ?? 0)
+      ? meanChange
+      : [],
+  );
   return {
     effect,
     scenes: calling.length,
