@@ -53,7 +53,7 @@ TEST(Durations, NameTheSlowestRenders) {
   const auto table = answer.text.substr(answer.text.find("slowest renders"));
   std::size_t rows = 0;
   for (const auto& line : split(table, '\n'))
-    if (line.starts_with("good")) ++rows;
+    if (line.starts_with("good ")) ++rows;
   EXPECT_EQ(rows, 2U) << table;
 }
 
