@@ -15,6 +15,7 @@
 #include <exception>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include <arpa/inet.h>
 #include <fmt/format.h>
@@ -140,7 +141,8 @@ void close_gently(int sock) {
 
 }  // namespace
 
-GatedServer::GatedServer(GateSettings gate, ConnectionLimits limits) : gate_(gate), limits_(limits) {
+GatedServer::GatedServer(GateSettings gate, ConnectionLimits limits)
+    : gate_(std::move(gate)), limits_(limits) {
   // httplib's own options would let a second program share the port and take some of the clients.
   set_socket_options([](socket_t sock) {
     const int yes = 1;
