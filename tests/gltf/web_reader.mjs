@@ -18,11 +18,13 @@ for (const [path, command] of Object.entries(needed))
     process.exit(kSkipped);
   }
 
-// Emission that fills the image, and a diffuse plane in a constant environment: neither has noise. Of 8 x 8 pixels, as WebGPU
-// pads rows of fewer than 16. And a floor below a rectangle and a disk, which 128 samples decide where lamps are sampled, and
-// leave open where they are met by chance.
+// Emission that fills the image, and a diffuse plane in a constant environment: neither has noise but that of rounding. Of 8 x 8
+// pixels, as WebGPU pads rows of fewer than 16, and with 4 samples, which show the mean to 0.002 %: of more, a path is lost now
+// and then (docs/use/renderers.md says why), and where one pixel has all the noise there is, the mean stays undecided. And a
+// floor below a rectangle and a disk, which 128 samples decide where lamps are sampled, and leave open where they are met by
+// chance.
 const kRuns = {
-  "flat-field,furnace-plane": ["--size", "1/8"],
+  "flat-field,furnace-plane": ["--size", "1/8", "--fixed-samples", "--spp-scale", "0.0625"],
   "rect-above,disk-above": ["--size", "1/4", "--fixed-samples", "--spp-scale", "0.25"],
 };
 
