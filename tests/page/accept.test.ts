@@ -15,7 +15,8 @@ const configuration = `{
   "stands_alone": true,
   "suites": [{ "name": "alpha", "cases": "cases", "references": "references" }],
   "renderers": [
-    { "name": "one", "executable": "one", "scene_format": "orbs-scene", "command": ["{executable}"] }
+    { "name": "one", "executable": "one", "scene_format": "orbs-scene", "declares": "M8",
+      "command": ["{executable}", "{scene}", "{output}"] }
   ]
 }
 `;
@@ -25,7 +26,7 @@ let file = "";
 before(async () => {
   file = join(session.scratch.folder, "configuration.json");
   writeFileSync(file, configuration);
-  editable = await serveToEdit(file, session.folder);
+  editable = await serveToEdit(file, session.scratch.run("before"));
 });
 after(() => void editable?.process.kill("SIGTERM"));
 
@@ -49,10 +50,9 @@ test("a click shows the change of the configuration, and another one writes it",
   assert.equal(written(), configuration, "nothing is written yet");
   await page.getByRole("button", { name: "Write it" }).click();
   const status = await page.locator(".accept").getByRole("status").innerText();
-  const line =
-    written()
-      .split("\n")
-      .findIndex((text) => text.includes('"renderer": "one"')) + 1;
+  // Lines count from 1, and the entry begins in the one before that of its first member.
+  const lines = written().split("\n");
+  const line = lines.findIndex((text) => text.includes('"renderer": "one"'));
   assert.equal(status, `Written to ${file}, line ${line}. The verdict changes with the next run.`);
   assert.match(written(), /"reason": "it's so"/);
   assert.deepEqual(errors, []);

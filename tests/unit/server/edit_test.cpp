@@ -158,12 +158,19 @@ TEST_F(ServerEdit, OtherMethodsAndPathsChangeNothing) {
 }
 
 TEST_F(ServerEdit, BrokenBodiesAreRefused) {
-  for (const std::string& content : std::vector<std::string>{
-           std::string(), std::string("{"), std::string("[]"), std::string("{\"run\": 0}"),
-           body(R"(, "more": 1)"), body(R"(, "until": 5)"), body(R"(, "run": 7)"), body("", "bad"),
-           body("", "\xff"), R"({"run": 7, "target": "values", "renderer": "one", "reason": "why"})",
-           R"({"run": 0, "target": "none", "renderer": "one", "reason": "why"})"})
-    EXPECT_EQ(status_of(post(content)), 422) << content;
+  const std::vector<std::string> bodies{
+      std::string(),
+      std::string("{"),
+      std::string("[]"),
+      std::string("{\"run\": 0}"),
+      body(R"(, "more": 1)"),
+      body(R"(, "until": 5)"),
+      body(R"(, "run": 7)"),
+      body("", "bad"),
+      body("", "\xff"),
+      R"({"run": 7, "target": "values", "renderer": "one", "reason": "why"})",
+      R"({"run": 0, "target": "none", "renderer": "one", "reason": "why"})"};
+  for (const auto& content : bodies) EXPECT_EQ(status_of(post(content)), 422) << content;
   EXPECT_EQ(status_of(post(std::string(orbs::server::kMostBodyBytes + 1, ' '))), 413);
   const auto headers = origin() + token() + json();
   for (const char* length : {"-1", "x", ""})
