@@ -80,10 +80,9 @@ std::string samples_text(const results::RunRecord& record, const std::string& re
 // "orbs: right on all 48 targets", a line for each renderer: what a reader sees last is the answer.
 std::string report_card_text(const results::RunRecord& record) {
   std::string text;
-  for (const auto& card : report::report_cards(record)) {
-    const auto cost = report::cost_sentence(card);
-    text += fmt::format("{}: {}{}\n", card.renderer, card.sentence, cost.empty() ? "" : "; it " + cost);
-  }
+  for (const auto& card : report::report_cards(record))
+    text +=
+        fmt::format("{}: {}{}\n", card.renderer, card.sentence, card.cost ? "; " + card.cost->sentence : "");
   return text;
 }
 

@@ -241,6 +241,13 @@ std::map<std::string, double> work_of(const RunRecord& run,
   return work;
 }
 
+std::string sentence_of(const NoiseCost& cost) {
+  const auto ends = fmt::format("({:.2g} to {:.2g}, {} targets)", cost.low, cost.high, cost.targets);
+  if (cost.low <= 1 && cost.high >= 1)
+    return fmt::format("no difference to {} in CPU time for equal noise is shown {}", cost.than, ends);
+  return fmt::format("takes {:.2g} times the CPU time of {} for equal noise {}", cost.ratio, cost.than, ends);
+}
+
 // Nothing where fewer than three targets are shared, of which no scatter can be told.
 std::optional<NoiseCost> cost_beside(const std::map<std::string, double>& own,
                                      const std::map<std::string, double>& other,
@@ -258,8 +265,10 @@ std::optional<NoiseCost> cost_beside(const std::map<std::string, double>& own,
   for (const double value : logs) squares += (value - mean) * (value - mean);
   const double error = std::sqrt(squares / (count - 1) / count);
   const auto interval = student_interval(mean, error, count - 1, 0.05);
-  return NoiseCost{than, std::exp(interval.value), std::exp(interval.low), std::exp(interval.high),
-                   logs.size()};
+  NoiseCost cost{than, std::exp(interval.value), std::exp(interval.low), std::exp(interval.high),
+                 logs.size()};
+  cost.sentence = sentence_of(cost);
+  return cost;
 }
 
 // All are compared with the first renderer whose renders say something. What a wrong image costs is no news.
@@ -289,16 +298,6 @@ std::vector<ReportCard> report_cards(const RunRecord& run) {
   }
   add_costs(run, cards);
   return cards;
-}
-
-std::string cost_sentence(const ReportCard& card) {
-  if (!card.cost) return "";
-  const auto& [than, ratio, low, high, targets] = *card.cost;
-  if (low <= 1 && high >= 1)
-    return fmt::format("no difference to {} in CPU time for equal noise is shown ({:.2g} to {:.2g} times)",
-                       than, low, high);
-  return fmt::format("takes {:.2g} times the CPU time of {} for equal noise ({:.2g} to {:.2g}, {} targets)",
-                     ratio, than, low, high, targets);
 }
 
 }  // namespace orbs::report

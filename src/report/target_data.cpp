@@ -4,7 +4,6 @@
 #include "base/text.h"
 #include "json/field_writer.h"
 #include "json/writer.h"
-#include "results/acceptable.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -90,6 +90,13 @@ bool is_decided(Verdict verdict);
 /// True for every verdict that makes a run end with status 1: all but passes and unsupported.
 bool counts_as_failure(Verdict verdict);
 
+/// Whether an entry of the configuration can expect the verdict. A run that ended early and a reference that
+/// is missing say nothing of the renderer. Remarks can be known where a strict run is to accept them.
+inline bool can_be_expected(Verdict verdict) {
+  return verdict == Verdict::PassWithRemarks ||
+         (counts_as_failure(verdict) && verdict != Verdict::Skipped && verdict != Verdict::MissingReference);
+}
+
 /// How a verdict compares with the failures that the configuration expects.
 enum class Expectation {
   None,   // no failure is expected

@@ -5,7 +5,6 @@
 #include "base/text.h"
 #include "registry/cases.h"
 #include "registry/filters.h"
-#include "results/acceptable.h"
 #include "results/least_change.h"
 #include "results/record.h"
 #include "run/accepted_number.h"

@@ -66,30 +66,26 @@ void take_job_verdict(const JobRecord& job, TargetRecord& record) {
 
 namespace {
 
-// What is wrong with an image that a check refuses; nothing where none does.
-std::optional<std::optional<judge::Diagnosis>> diagnosis_of(const Plan& plan,
-                                                            const registry::Case& one_case,
-                                                            const image::Image& result,
-                                                            const image::Image& reference,
-                                                            const WorkFolders& folders,
-                                                            const TargetRecord& record) {
+// Says what is wrong with an image that a check refuses, and writes the image that shows it beside the
+// result.
+void diagnose(const Plan& plan,
+              const registry::Case& one_case,
+              const image::Image& result,
+              const image::Image& reference,
+              const WorkFolders& folders,
+              TargetRecord& record) {
   const bool is_refused = std::any_of(record.checks.begin(), record.checks.end(), [](const auto& check) {
     return check.measured && check.decided && !check.passed;
   });
-  if (record.verdict != Verdict::Fail || !is_refused) return std::nullopt;
+  if (record.verdict != Verdict::Fail || !is_refused) return;
   const auto others = other_references(plan, one_case, record.target, folders.references);
-  return judge::diagnosed({result, reference, others, judge::mask_of(one_case, record.target)});
-}
-
-// Notes the diagnosis, and writes the image that shows it beside the result.
-void take_diagnosis(const std::optional<std::optional<judge::Diagnosis>>& diagnosis,
-                    const std::filesystem::path& unfinished,
-                    TargetRecord& record) {
-  record.diagnosis = diagnosis ? judge::diagnosis_text(*diagnosis) : "";
-  if (!diagnosis || !*diagnosis) return;
+  const auto diagnosis =
+      judge::diagnosed({result, reference, others, judge::mask_of(one_case, record.target)});
+  record.diagnosis = judge::diagnosis_text(diagnosis);
+  if (!diagnosis) return;
   const auto file = std::filesystem::path(record.renderer) / record.target / "fault-undone.exr";
-  image::write_exr((*diagnosis)->proof, unfinished / file);
-  record.proof = {file.string(), (*diagnosis)->is_undone};
+  image::write_exr(diagnosis->proof, folders.unfinished / file);
+  record.proof = {file.string(), diagnosis->is_undone};
 }
 
 // What the tests of noise call a large error is beside the point once its cause is known: the first-order
@@ -203,8 +199,7 @@ judge::Look judge_target(const Plan& plan,
     reference = std::move(judged->reference);
     look = judged->look;
   }
-  take_diagnosis(diagnosis_of(plan, one_case, image.image, *reference.image, folders, record),
-                 folders.unfinished, record);
+  diagnose(plan, one_case, image.image, *reference.image, folders, record);
   if (results::names_a_fault(record)) leave_out(judgement.comparison->bias_remarks, record);
   record.wrong_regions = wrong_regions(record, image.image, *reference.image,
                                        judge::mask_of(one_case, record.target), scene_of(plan, planned));

@@ -123,19 +123,25 @@ std::vector<WrongRegion> wrong_regions(const TargetRecord& record,
                                        const metrics::Mask& mask,
                                        const scene::Scene* scene) {
   std::vector<WrongRegion> regions;
+  std::vector<std::vector<scene::ImagePoint>> points;
+  for (const auto& measure : record.measures) {
+    if (!is_wrong_for_certain(record, measure)) continue;
+    regions.push_back({.where = measure.where});
+    points.push_back(points_in(measure.where));
+  }
+  if (regions.empty()) return regions;  // of nearly all images
+  const auto seen =
+      scene == nullptr ? std::vector<std::string>(regions.size()) : scene::seen_by_most(*scene, points);
   const std::array rgb{image::select_rgb(result, ""), image::select_rgb(reference, "")};
   const auto included = metrics::included_pixels(mask, reference.width, reference.height);
   const std::vector<double> all{0, 0, static_cast<double>(reference.width),
                                 static_cast<double>(reference.height)};
   const auto of_image = means_over(all, rgb, included).reference;
-  for (const auto& measure : record.measures) {
-    if (!is_wrong_for_certain(record, measure)) continue;
-    WrongRegion region{.where = measure.where};
-    if (scene != nullptr) region.seen = scene::seen_by_most(*scene, points_in(measure.where));
-    region.text =
-        fmt::format("the {}, {}", region.seen.empty() ? place_of(measure.where, reference) : region.seen,
-                    how_far_off(means_over(measure.where, rgb, included), of_image));
-    regions.push_back(std::move(region));
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    auto& region = regions[i];
+    region.seen = seen[i];
+    region.text = fmt::format("the {}, {}", seen[i].empty() ? place_of(region.where, reference) : seen[i],
+                              how_far_off(means_over(region.where, rgb, included), of_image));
   }
   std::stable_sort(regions.begin(), regions.end(),
                    [](const auto& a, const auto& b) { return area(a.where) > area(b.where); });

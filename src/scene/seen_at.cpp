@@ -16,7 +16,7 @@ namespace orbs::scene {
 
 namespace {
 
-// A ray against a triangle takes about 10 ns, so that 25 points take less than a second.
+// A ray against a triangle takes about 10 ns, so that 25 points take about a second.
 constexpr std::size_t kMostTriangles = 4'000'000;
 
 // The nearest surface of each ray so far.
@@ -100,23 +100,34 @@ std::size_t triangle_count(const Scene& scene) {
   return count;
 }
 
+std::string of_most(const Nearest* first, std::size_t count) {
+  std::map<std::string, std::size_t> counts;
+  for (std::size_t i = 0; i < count; ++i) ++counts[first[i].name];
+  for (const auto& [name, times] : counts)
+    if (2 * times >= count) return name;
+  return "";
+}
+
 }  // namespace
 
-std::string seen_by_most(const Scene& given, const std::vector<ImagePoint>& points) {
+std::vector<std::string> seen_by_most(const Scene& given,
+                                      const std::vector<std::vector<ImagePoint>>& regions) {
+  std::vector<std::string> names(regions.size());
   auto scene = given;
   tessellate_spheres(scene);
   for (const auto* level : {"S1", "S2"}) tessellate_shapes(scene, level);
-  if (!scene.shapes.empty() || triangle_count(scene) > kMostTriangles) return "";
+  if (!scene.shapes.empty() || triangle_count(scene) > kMostTriangles) return names;
+  std::vector<ImagePoint> points;
+  for (const auto& region : regions) points.insert(points.end(), region.begin(), region.end());
   const auto rays = rays_through(scene.camera, points);
   std::vector<Nearest> nearest(rays.size());
   for (const auto& instance : scene.instances) meet_instance(scene, instance, rays, nearest);
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     meet_light(scene.lights[i], i, scene.camera.position_m, rays, nearest);
-  std::map<std::string, std::size_t> counts;
-  for (const auto& one : nearest) ++counts[one.name];
-  for (const auto& [name, count] : counts)
-    if (2 * count >= points.size()) return name;
-  return "";
+  const auto* first = nearest.data();
+  for (std::size_t i = 0; i < regions.size(); first += regions[i].size(), ++i)
+    names[i] = of_most(first, regions[i].size());
+  return names;
 }
 
 }  // namespace orbs::scene

@@ -206,7 +206,7 @@ test("NaN and infinite pixels are magenta at any zoom and counted", async () => 
 test("the worst pixels are visited in order, with their positions", async () => {
   const { page } = await open(session.browser, `${session.url}${values}&img=l1`);
   await drawn(page, "l1");
-  await page.getByText("6 pixels differ").waitFor(); // of result and reference, whatever map is in front
+  await page.getByText("6 pixels differ").waitFor(); // of result and reference, also behind a map
   await page.keyboard.press("u");
   await page.getByRole("button", { name: "1 of 2 spots: 1", exact: true }).waitFor();
   assert.match(await page.locator(".readout h3").innerText(), /40, 20/);

@@ -5,6 +5,7 @@ import { messageOf } from "./common/message";
 import { openSource } from "./data/source";
 import "./style/base.css";
 import "./style/overview.css";
+import "./style/cards.css";
 import "./style/case.css";
 import "./style/accept.css";
 import "./style/viewer.css";

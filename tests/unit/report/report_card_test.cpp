@@ -136,6 +136,6 @@ TEST(ReportCard, EqualNoiseHasItsCost) {
   // Student's 3.182 with 3 degrees of freedom times ln(2) / 2 sqrt(4 / 3) / 2.
   EXPECT_NEAR(std::log(cards[1].cost->high / cards[1].cost->ratio), 3.1824 * std::log(2) / 2 / std::sqrt(3),
               1e-4);
-  EXPECT_EQ(cost_sentence(cards[1]),
+  EXPECT_EQ(cards[1].cost->sentence,
             "takes 2.8 times the CPU time of fast for equal noise (1.5 to 5.3, 4 targets)");
 }

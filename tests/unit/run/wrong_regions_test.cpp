@@ -65,11 +65,16 @@ results::TargetRecord missed(const std::vector<std::pair<std::string, std::vecto
 
 TEST(SeenBy, MostOfThePoints) {
   const auto scene = walls();
-  EXPECT_EQ(scene::seen_by_most(scene, {{5, 30}, {6, 40}}), "back wall (red)");
-  EXPECT_EQ(scene::seen_by_most(scene, {{60, 30}, {61, 40}, {5, 30}}), "back wall (green)");
-  EXPECT_EQ(scene::seen_by_most(scene, {{32, 32}}), "ball");
-  EXPECT_EQ(scene::seen_by_most(scene, {{32, 10.67}}), "light 'key'") << "(1 - 2 / 3) / 2 of 64 rows";
-  EXPECT_EQ(scene::seen_by_most(scene, {{60, 30}, {32, 32}, {5, 30}}), "") << "each is one of three";
+  const auto seen = [&](const std::vector<scene::ImagePoint>& points) {
+    return scene::seen_by_most(scene, {points}).front();
+  };
+  EXPECT_EQ(scene::seen_by_most(scene, {{{5, 30}, {6, 40}}, {{32, 32}}}),
+            (std::vector<std::string>{"back wall (red)", "ball"}));
+  EXPECT_EQ(seen({{5, 30}, {6, 40}}), "back wall (red)");
+  EXPECT_EQ(seen({{60, 30}, {61, 40}, {5, 30}}), "back wall (green)");
+  EXPECT_EQ(seen({{32, 32}}), "ball");
+  EXPECT_EQ(seen({{32, 10.67}}), "light 'key'") << "(1 - 2 / 3) / 2 of 64 rows";
+  EXPECT_EQ(seen({{60, 30}, {32, 32}, {5, 30}}), "") << "each is one of three";
 }
 
 TEST(WrongRegions, TheLargestIsFirstWithItsNameAndTheSignOfItsError) {

@@ -1,6 +1,6 @@
 import { useEffect, useMemo, useState } from "preact/hooks";
 import { costOf, stabilityOf } from "../common/said";
-import { useRelated, type Found } from "../common/related";
+import { overviewOf, useRelated, type Found } from "../common/related";
 import { findCell, runQuery, stateOf, type Session } from "../common/session";
 import { StateMark } from "../common/StateMark";
 import { chartOf, rangesOf } from "../cost/chart_data";
@@ -105,7 +105,7 @@ function useEarlier({ source, run, overview }: Session, detail: TargetDetail): E
     const ask = async (): Promise<void> => {
       const all: Earlier[] = [];
       for (const other of others.slice(0, kMostRuns)) {
-        const its = await source.overview(other).catch(() => undefined);
+        const its = await overviewOf(source, other).catch(() => undefined);
         if (!its || !isWanted) continue;
         if (its.run.suite !== overview.run.suite || its.run.size !== overview.run.size) continue;
         const cell = findCell(its, detail.case, detail.target, detail.renderer);

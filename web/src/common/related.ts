@@ -1,6 +1,6 @@
 // The studies and runs beside a run that say something of the same suite.
 import { useEffect, useState } from "preact/hooks";
-import type { CostStudy, StabilityStudy, StudyKind } from "../data/generated";
+import type { CostStudy, Overview, StabilityStudy, StudyKind } from "../data/generated";
 import type { Source } from "../data/source";
 
 export interface Found<Study> {
@@ -23,6 +23,20 @@ function studyOf(source: Source, kind: StudyKind, run: number): Promise<unknown>
   read.set(source, own);
   const found = own.get(run) ?? source.study(kind, run).catch(() => undefined);
   own.set(run, found);
+  return found;
+}
+
+/** Overviews of runs that have ended, by source: each target asks for those of the same runs. */
+const ended = new WeakMap<Source, Map<number, Promise<Overview>>>();
+
+/** The overview of another run, read once if it has ended. */
+export async function overviewOf(source: Source, run: number): Promise<Overview> {
+  const own = ended.get(source) ?? new Map<number, Promise<Overview>>();
+  ended.set(source, own);
+  const found = own.get(run) ?? source.overview(run);
+  own.set(run, found);
+  const forget = (): void => void own.delete(run);
+  void found.then((overview) => (overview.run.live ? forget() : undefined), forget);
   return found;
 }
 

@@ -5,7 +5,7 @@ import type { CostStudy, StabilityStudy } from "../data/generated";
 
 const kMetric = "psnr_srgb8";
 
-export const shortNumber = (value: number): string => String(Number(value.toPrecision(2)));
+const shortNumber = (value: number): string => String(Number(value.toPrecision(2)));
 
 interface Ratio {
   value: number;
@@ -15,7 +15,7 @@ interface Ratio {
 }
 
 /** "takes 6.3 times the CPU time of orbs to 35 dB (4.8 to 8.2, 15 targets)". */
-export function ratioText(than: string, what: string, { value, low, high, count }: Ratio): string {
+function ratioText(than: string, what: string, { value, low, high, count }: Ratio): string {
   const ends = `(${shortNumber(low)} to ${shortNumber(high)}, ${count} targets)`;
   return low <= 1 && high >= 1
     ? `no difference to ${than} is shown ${what} ${ends}`

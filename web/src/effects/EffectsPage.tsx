@@ -104,7 +104,12 @@ function Matrix({ session, effects }: { session: Session; effects: string[] }) {
             { label: "Light paths" },
             ...effects.map((label) => ({ label })),
             ...(isMeasured
-              ? [{ label: "If it carried more", title: "time with the dearest richer transport" }]
+              ? [
+                  {
+                    label: "If it carried more",
+                    title: "time with the richer transport that costs most",
+                  },
+                ]
               : []),
           ]}
         />

@@ -42,7 +42,7 @@ export function costOf(scene: SceneEffects, effect: string): EffectCost | undefi
   };
 }
 
-/** The dearest of the transports that carry more than the scene calls for: what it does not pay. */
+/** The most expensive of the transports that carry more than the scene calls for: what it does not pay. */
 export function spared(scene: SceneEffects): EffectCostRecord | undefined {
   return scene.costs
     .filter(({ is_enough, is_comparable }) => is_enough && is_comparable)

@@ -1,6 +1,6 @@
 // What stands in the cells of a report card, and what it rests on.
 import type { RelatedStudies } from "../common/related";
-import { costOf, ratioText, stabilityOf } from "../common/said";
+import { costOf, stabilityOf } from "../common/said";
 import type { ReportCard } from "../data/generated";
 
 export interface Said {
@@ -17,11 +17,7 @@ export function costSaid(card: ReportCard, cards: ReportCard[], related: Related
     const text = costOf(study, card.renderer);
     if (text) return { text, run, source: name };
   }
-  const { cost } = card;
-  if (cost) {
-    const ratio = { ...cost, value: cost.ratio, count: cost.targets };
-    return { text: ratioText(cost.than, "for equal noise", ratio), source: "this run" };
-  }
+  if (card.cost) return { text: card.cost.sentence, source: "this run" };
   const isBase = cards.some((other) => other.cost?.than === card.renderer);
   return isBase
     ? { text: "the others are compared with it", source: "this run" }
