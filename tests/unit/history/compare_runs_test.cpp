@@ -53,6 +53,10 @@ TEST(CompareRuns, OnePercentLessLightOfARendererIsFound) {
 // Two renderers of one run are compared like one renderer of two runs; the others are left out.
 TEST(CompareRuns, ARendererStandsForAnother) {
   const auto run = made_up::run(1, {.renderers = 3, .light = 0.99});
+  const auto alone = history::with_renderer(run, "r1", "r0");
+  EXPECT_EQ(alone.renderers.size(), 1U);
+  EXPECT_EQ(alone.targets.size(), 30U);
+  EXPECT_EQ(alone.jobs.size(), 30U);
   const auto comparison =
       history::compare_runs(history::with_renderer(run, "r1", "r0"), history::with_renderer(run, "r0", "r0"));
   EXPECT_EQ(comparison.targets, 30U);
