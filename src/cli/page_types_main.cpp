@@ -7,6 +7,7 @@
 #include "report/progress.h"
 #include "report/target_data.h"
 #include "results/study_kinds.h"
+#include "studies/cost/change.h"
 #include "studies/cost/json.h"
 #include "studies/stability/json.h"
 
@@ -24,6 +25,7 @@ std::string page_types() {
   types.add<report::Progress>();
   types.add<report::FileChange>();
   types.add<studies::CostStudy>();
+  types.add<studies::CostChanges>();
   types.add<studies::StabilityStudy>();
   std::string kinds;
   for (const auto& kind : results::kStudyKinds)

@@ -29,6 +29,7 @@ constexpr const char* kHead = R"(<!doctype html>
 <style>
 :root { color-scheme: light dark; font: 14px/1.4 system-ui, sans-serif; }
 body { margin: 1.5rem; }
+.wide { overflow-x: auto; }
 table { border-collapse: collapse; margin: 1rem 0; }
 th, td { text-align: left; padding: .15rem .6rem; border-bottom: 1px solid #8884; white-space: nowrap; }
 svg { vertical-align: middle; }
@@ -114,19 +115,19 @@ std::string history_page(const History& history, const std::vector<history::Chan
   auto text = fmt::format("{}<h1>{}</h1>\n", kHead, xml_text(history::headline(history)));
   if (!steps.empty()) {
     text +=
-        "<h2>Steps</h2>\n<table><tr><th></th><th>renderer</th><th>target</th><th></th><th>before</th>"
+        "<h2>Steps</h2>\n<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Steps\"><table><tr><th></th><th>renderer</th><th>target</th><th></th><th>before</th>"
         "<th>after</th><th>since</th></tr>\n";
     for (const auto& step : steps) text += step_row(step);
-    text += "</table>\n";
+    text += "</table></div>\n";
   }
   if (const auto flaky = history::flaky_targets(history); !flaky.empty())
     text += fmt::format("<p>Flaky (the verdict differs between seeds): {}</p>\n",
                         xml_text(fmt::format("{}", fmt::join(flaky, ", "))));
   text +=
-      "<h2>Targets</h2>\n<table><tr><th></th><th>renderer</th><th>target</th><th>now</th><th>PSNR / dB</th>"
+      "<h2>Targets</h2>\n<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Targets\"><table><tr><th></th><th>renderer</th><th>target</th><th>now</th><th>PSNR / dB</th>"
       "<th>over the runs</th><th>CPU / s</th><th>over the runs</th><th>runs with each verdict</th></tr>\n";
   for (const auto& series : history.series) text += target_row(series, history);
-  text += "</table>\n";
+  text += "</table></div>\n";
   for (const auto& note : history.notes) text += fmt::format("<p>{}</p>\n", xml_text(note));
   return text + "</body></html>\n";
 }

@@ -11,6 +11,8 @@
 #include "report/packed_image.h"
 #include "results/study_kinds.h"
 #include "server/request_gate.h"
+#include "studies/cost/change_text.h"
+#include "studies/cost/json.h"
 
 #include <algorithm>
 #include <array>
@@ -163,6 +165,25 @@ void send_comparison(Site& site,
   send_text(request, packed_text(history::comparison_json(comparison)), kJson, response);
 }
 
+// What `orbs compare-runs` says of two studies of cost.
+void send_cost_changes(Site& site,
+                       const ServedStudy& after,
+                       std::string_view name,
+                       const httplib::Request& request,
+                       httplib::Response& response) {
+  const auto number = to_integer(name.ends_with(".json") ? name.substr(0, name.size() - 5) : name);
+  const auto* const before = number && *number >= 0 && static_cast<std::size_t>(*number) < site.runs.size()
+                                 ? std::get_if<std::unique_ptr<ServedStudy>>(&nth(site.runs, *number))
+                                 : nullptr;
+  if (before == nullptr || (*before)->kind() != results::kCost.name || after.kind() != results::kCost.name)
+    return refuse(response, 404, "there is no such study of cost");
+  const auto read = [](const ServedStudy& study) {
+    return studies::read_cost_file(study.folder() / results::kCost.file);
+  };
+  const auto changes = studies::cost_changes(read(**before), read(after));
+  send_text(request, packed_text(studies::changes_json(changes)), kJson, response);
+}
+
 // `path` without "/data/".
 void send_data(Site& site,
                const httplib::Request& request,
@@ -184,8 +205,11 @@ void send_data(Site& site,
   if (rest.starts_with("preview/"))
     return send_image(site, folder, after("preview/"), "", Form::Preview, response);
   if (rest.starts_with("file/")) return send_file(folder, after("file/"), response);
+  if (const auto* study = std::get_if<std::unique_ptr<ServedStudy>>(&served);
+      study != nullptr && rest.starts_with("before/"))
+    return send_cost_changes(site, **study, after("before/"), request, response);
   const auto* owner = std::get_if<std::unique_ptr<ServedRun>>(&served);
-  if (owner == nullptr) return refuse(response, 404, "a study has only images and files");
+  if (owner == nullptr) return refuse(response, 404, "a study has only images, files and comparisons");
   auto& run = **owner;
   if (rest == "overview.json") return send_text(request, *run.overview(), kJson, response);
   if (rest == "events") return send_events(site.listeners, run, response);

@@ -16,10 +16,10 @@ using cli_tests::Sandbox;
 
 namespace {
 
-std::vector<std::string> effects_of(const std::string& scenes) {
-  return {"effect-cost", scenes,       "--configuration", ORBS_SOURCE_DIR "/configuration.json",
-          "--suite",     "appearance", "--side",          "32",
-          "--spp",       "16",         "--rounds",        "2"};
+std::vector<std::string> effects_of(const std::string& scenes, const std::string& suite = "appearance") {
+  return {"effect-cost", scenes, "--configuration", ORBS_SOURCE_DIR "/configuration.json",
+          "--suite",     suite,  "--side",          "32",
+          "--spp",       "16",   "--rounds",        "2"};
 }
 
 struct Found {
@@ -54,6 +54,16 @@ TEST(EffectsCommand, RicherTransportsGiveTheSameImageAndAFilmIsWorthSomething) {
   EXPECT_FALSE(ways.at("rgb").is_enough);
   EXPECT_FALSE(ways.at("without thin film").is_enough);
   EXPECT_GT(std::abs(ways.at("without thin film").mean), 0.01);
+}
+
+// The product of two colours is not the colour of the product of two spectra: that is no error.
+TEST(EffectsCommand, WavelengthsAreNotEnoughForWhatColouredSurfacesShowInThreeColours) {
+  const Sandbox sandbox;
+  ASSERT_EQ(sandbox.orbs(effects_of("123-green", "orbs")).status, 0);
+  EXPECT_FALSE(alternatives_in(sandbox.read("effect-costs.json")).at("spectral").is_enough);
+  const Sandbox grey;
+  ASSERT_EQ(grey.orbs(effects_of("l1-oblong", "orbs")).status, 0);
+  EXPECT_TRUE(alternatives_in(grey.read("effect-costs.json")).at("spectral").is_enough);
 }
 
 TEST(EffectsCommand, ScenesThatMatchNothingAreAnError) {

@@ -179,4 +179,14 @@ void write_cost_study(const fs::path& folder) {
   write_file(folder / results::kCost.file, studies::cost_json(made_up_record()));
 }
 
+void write_later_cost_study(const fs::path& folder) {
+  write_images(folder);
+  auto record = made_up_record();
+  record.started = "2026-01-03T03:04:05";
+  record.renderers[0].version = "orbs 1.1";
+  for (auto& render : record.renders)
+    if (render.renderer == 0) render.cpu_seconds *= 1.5;
+  write_file(folder / results::kCost.file, studies::cost_json(record));
+}
+
 }  // namespace orbs::page_tests

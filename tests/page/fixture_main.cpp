@@ -1,6 +1,7 @@
 // Makes the runs that the browser tests look at:
 //   orbs-page-fixture small|before|many|huge <folder>   a finished run
 //   orbs-page-fixture cost <folder>                      a cost study
+//   orbs-page-fixture cost-later <folder>                the same study a day later
 //   orbs-page-fixture stability <folder>                 a study of stability
 //   orbs-page-fixture looks <folder>                     a run whose renders are made in looks
 //   orbs-page-fixture live-looks <folder>                a live run: each line on stdin is a look at its
@@ -28,6 +29,7 @@ int main(int argc, char** argv) {
     if (what == "many") write_run_of_many_cells(folder);
     if (what == "huge") write_run_of_huge_images(folder);
     if (what == "cost") write_cost_study(folder);
+    if (what == "cost-later") write_later_cost_study(folder);
     if (what == "stability") write_stability_study(folder);
     if (what == "looks") write_run_of_looks(folder);
     if (what == "live-looks") play_live_looks(folder);

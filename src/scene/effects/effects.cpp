@@ -60,18 +60,6 @@ std::vector<EffectVerdict> verdicts_on(const Scene& scene, const MaterialModel& 
   return found;
 }
 
-// Whether some surface scatters wavelengths differently, so that more than a light's colour counts.
-bool has_coloured_surface(const Scene& scene) {
-  const auto visible = visible_materials(scene);
-  return std::any_of(visible.begin(), visible.end(),
-                     [&](int i) {
-                       return std::visit([&](const auto& model) { return is_coloured(scene.spectra, model); },
-                                         material_at(scene, i).model);
-                     }) ||
-         std::any_of(scene.lights.begin(), scene.lights.end(),
-                     [](const auto& light) { return !is_grey(light.reflectance); });
-}
-
 void add_materials(const Scene& scene, SceneEffects& found) {
   const auto visible = visible_materials(scene);
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
@@ -211,6 +199,17 @@ LightTransport transport_for(Effect effect) {
       return LightTransport::Rgb;
   }
   return LightTransport::Rgb;
+}
+
+bool has_coloured_surface(const Scene& scene) {
+  const auto visible = visible_materials(scene);
+  return std::any_of(visible.begin(), visible.end(),
+                     [&](int i) {
+                       return std::visit([&](const auto& model) { return is_coloured(scene.spectra, model); },
+                                         material_at(scene, i).model);
+                     }) ||
+         std::any_of(scene.lights.begin(), scene.lights.end(),
+                     [](const auto& light) { return !is_grey(light.reflectance); });
 }
 
 bool covers(LightTransport richer, LightTransport needed) {

@@ -53,6 +53,9 @@ LightTransport transport(const Scene& scene);
 /// True when `richer` has all that `needed` has.
 bool covers(LightTransport richer, LightTransport needed);
 
+/// Whether some surface scatters wavelengths differently, so that more than a light's colour counts.
+bool has_coloured_surface(const Scene& scene);
+
 /// " because material 'prism' has an index that varies by 0.0425": what the transport is for; "" for Rgb.
 std::string reason_for(const SceneEffects& found);
 

@@ -162,6 +162,16 @@ LogRatio log_ratio_of(const TimeToError& first, const TimeToError& second) {
                  {-std::log(first.cpu_seconds->value), first.log_error * first.log_error, first.degrees}});
 }
 
+std::size_t main_error(const CostRecord& record) {
+  std::size_t nearest = 0;
+  for (std::size_t i = 0; i < error_targets().size(); ++i)
+    if (error_targets()[i].metric == kPsnr &&
+        std::fabs(error_targets()[i].level - record.settings.target_db) <
+            std::fabs(error_targets()[nearest].level - record.settings.target_db))
+      nearest = i;
+  return nearest;
+}
+
 CostNumbers cost_numbers(const CostRecord& measured) {
   const auto record = with_times_of_one_image(measured);
   CostNumbers numbers;

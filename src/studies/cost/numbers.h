@@ -122,6 +122,9 @@ void fields(Visitor& visit, Record& numbers) {
 /// The second's time over the first's, both exact.
 LogRatio log_ratio_of(const TimeToError& first, const TimeToError& second);
 
+/// The error in decibels, by its place in error_targets(), that is nearest the target of the study.
+std::size_t main_error(const CostRecord& record);
+
 CostNumbers cost_numbers(const CostRecord& measured);
 
 }  // namespace orbs::studies

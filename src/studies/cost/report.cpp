@@ -20,17 +20,6 @@ namespace {
 
 constexpr std::size_t kMostColumns = 150;  // of a sentence in the terminal
 
-// The error in decibels that is nearest the target of the study.
-std::size_t main_error(const CostRecord& record) {
-  std::size_t nearest = 0;
-  for (std::size_t i = 0; i < error_targets().size(); ++i)
-    if (error_targets()[i].metric == kPsnr &&
-        std::fabs(error_targets()[i].level - record.settings.target_db) <
-            std::fabs(error_targets()[nearest].level - record.settings.target_db))
-      nearest = i;
-  return nearest;
-}
-
 const CostCurve* find_curve(const CostNumbers& numbers, std::size_t target, std::size_t renderer) {
   for (const auto& curve : numbers.curves)
     if (curve.target == target && curve.renderer == renderer && !curve.points.empty()) return &curve;
@@ -105,11 +94,6 @@ CellColours time_colours(const CostRecord& record,
         colours[{target + 1, kBefore + renderer}] = colour::kGreen;
     }
   return colours;
-}
-
-// "2.08 (1.83 to 2.37)"
-std::string ratio_text(const Interval& ratio) {
-  return fmt::format("{:.3g} ({:.3g} to {:.3g})", ratio.value, ratio.low, ratio.high);
 }
 
 // "orbs is faster than cycles to 35 dB on 17 scenes, slower on 1, ...; cycles takes 2.08 (1.83 to
@@ -322,6 +306,10 @@ std::string shared_notes(const CostRecord& record) {
 }
 
 }  // namespace
+
+std::string ratio_text(const Interval& ratio) {
+  return fmt::format("{:.3g} ({:.3g} to {:.3g})", ratio.value, ratio.low, ratio.high);
+}
 
 std::string cost_table(const CostRecord& record, const TerminalStyle& style) {
   const auto numbers = cost_numbers(record);

@@ -56,10 +56,14 @@ std::vector<Variant> variants_of(const scene::Scene& scene,
   const auto subject = run::prepare_render(renderer, plan, scene, scratch / "scene");
   variants.push_back({std::string(transport_name(needed)), subject, {}, true});
   variants.push_back({"again", subject, {}, true, true});
+  // Light that two coloured surfaces scatter is the product of their spectra, whose colour is not the product
+  // of their colours: a transport of wavelengths shows another image.
+  const bool keeps_colours = needed != scene::LightTransport::Rgb || !scene::has_coloured_surface(scene);
   for (const auto transport : scene::kTransports) {
     if (transport == needed) continue;
     const std::string name(transport_name(transport));
-    variants.push_back({name, subject, {"--transport", name, "--lossy"}, scene::covers(transport, needed)});
+    variants.push_back(
+        {name, subject, {"--transport", name, "--lossy"}, scene::covers(transport, needed) && keeps_colours});
   }
   std::set<scene::Effect> effects;
   for (const auto& finding : found.called_for) effects.insert(finding.effect);

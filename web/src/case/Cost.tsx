@@ -1,3 +1,4 @@
+import { Scroll } from "../common/Scroll";
 import { bytes, seconds } from "../common/format";
 import { Copyable } from "../common/Copyable";
 import { TableHead, type Column } from "../common/TableHead";
@@ -18,21 +19,23 @@ export function Cost({ detail }: { detail: TargetDetail }) {
     <section class="cost">
       <h2>Time, memory, command</h2>
       {detail.jobs.length > 0 ? (
-        <table>
-          <TableHead columns={kColumns} />
-          <tbody>
-            {detail.jobs.map((job) => (
-              <tr key={job.identity.id}>
-                <th scope="row">{job.identity.scene}</th>
-                <td class="number">{job.cost.started ? job.identity.spp : "–"}</td>
-                <td class="number">{seconds(job.cost.started ? job.cost.wall_seconds : null)}</td>
-                <td class="number">{seconds(job.cost.started ? job.cost.cpu_seconds : null)}</td>
-                <td class="number">{seconds(job.cost.render_seconds)}</td>
-                <td class="number">{bytes(job.cost.peak_rss_bytes)}</td>
-              </tr>
-            ))}
-          </tbody>
-        </table>
+        <Scroll label="Cost of the renders">
+          <table>
+            <TableHead columns={kColumns} />
+            <tbody>
+              {detail.jobs.map((job) => (
+                <tr key={job.identity.id}>
+                  <th scope="row">{job.identity.scene}</th>
+                  <td class="number">{job.cost.started ? job.identity.spp : "–"}</td>
+                  <td class="number">{seconds(job.cost.started ? job.cost.wall_seconds : null)}</td>
+                  <td class="number">{seconds(job.cost.started ? job.cost.cpu_seconds : null)}</td>
+                  <td class="number">{seconds(job.cost.render_seconds)}</td>
+                  <td class="number">{bytes(job.cost.peak_rss_bytes)}</td>
+                </tr>
+              ))}
+            </tbody>
+          </table>
+        </Scroll>
       ) : (
         <p class="quiet">Nothing was rendered for this target.</p>
       )}

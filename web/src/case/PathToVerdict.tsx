@@ -1,3 +1,4 @@
+import { Scroll } from "../common/Scroll";
 import type { Session } from "../common/session";
 import { StateMark } from "../common/StateMark";
 import { TableHead, type Column } from "../common/TableHead";
@@ -57,7 +58,7 @@ export function PathToVerdict({ session, detail }: { session: Session; detail: T
       <p>{endText(detail, overview.run.live)}</p>
       <details class="numbers">
         <summary>The numbers of each look</summary>
-        <div class="scroll" tabIndex={0} role="region" aria-label="Table of looks">
+        <Scroll label="Table of looks">
           <table>
             <TableHead columns={kColumns} />
             <tbody>
@@ -66,7 +67,7 @@ export function PathToVerdict({ session, detail }: { session: Session; detail: T
               ))}
             </tbody>
           </table>
-        </div>
+        </Scroll>
       </details>
     </section>
   );

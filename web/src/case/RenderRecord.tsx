@@ -1,3 +1,4 @@
+import { Scroll } from "../common/Scroll";
 import { TableHead, type Column } from "../common/TableHead";
 import type { Job, TargetDetail } from "../data/generated";
 import { recordedValues } from "./recorded";
@@ -7,18 +8,20 @@ const kColumns: Column[] = [{ label: "Name" }, { label: "Value" }, { label: "Uni
 function Values({ job }: { job: Job }) {
   const { log: _log, ...record } = job;
   return (
-    <table>
-      <TableHead columns={kColumns} />
-      <tbody>
-        {recordedValues(record).map(({ name, value, unit }) => (
-          <tr key={name}>
-            <th scope="row">{name}</th>
-            <td>{value}</td>
-            <td>{unit}</td>
-          </tr>
-        ))}
-      </tbody>
-    </table>
+    <Scroll label="Record">
+      <table>
+        <TableHead columns={kColumns} />
+        <tbody>
+          {recordedValues(record).map(({ name, value, unit }) => (
+            <tr key={name}>
+              <th scope="row">{name}</th>
+              <td>{value}</td>
+              <td>{unit}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </Scroll>
   );
 }
 

@@ -2,6 +2,7 @@ import type uPlot from "uplot";
 import type { Chart, ChartPoint } from "./from_run";
 import { isDrawable } from "./drawable";
 import { seriesColour } from "./palette";
+import { seriesOfNames } from "./series";
 
 export interface Columns {
   data: uPlot.AlignedData;
@@ -29,8 +30,9 @@ export function columnsOf(chart: Chart, dark: boolean): Columns {
   const data: (number | null)[][] = [x];
   const series: uPlot.Series[] = [{}];
   const points: (ChartPoint | undefined)[][] = [[]];
+  const places = seriesOfNames(chart.series.map(({ name }) => name));
   placed.forEach((own, s) => {
-    const stroke = seriesColour(s, dark);
+    const stroke = seriesColour(places[s] ?? s, dark);
     const one = chart.series[s];
     data.push(x.map((at) => own.get(at)?.y ?? null));
     points.push(x.map((at) => own.get(at)));

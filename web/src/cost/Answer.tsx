@@ -1,3 +1,4 @@
+import { seriesOf } from "../charts/series";
 import { Choice } from "../common/Choice";
 import { number } from "../common/format";
 import {
@@ -8,7 +9,7 @@ import {
   type LevelAnswer,
   type MeanRatio,
 } from "./ranking";
-import { Marker } from "./Marker";
+import { RendererMark } from "./Marker";
 import { lacksMeans } from "./older";
 import { RendererKey } from "./Multiples";
 import { fullestLevel } from "./ratio_bars";
@@ -104,17 +105,15 @@ function Bar({ study, answer }: { study: CostStudy; answer: LevelAnswer }) {
           title={`${kMeanings[kind]}: ${count} of ${plural(answer.targets, "target")}`}
           style={{
             flexGrow: count,
-            ...(renderer === undefined ? {} : { borderColor: theme.series(renderer) }),
+            ...(renderer === undefined
+              ? {}
+              : { borderColor: theme.series(seriesOf(study, renderer)) }),
             ...(kind === "fastest" && renderer !== undefined
-              ? { background: `${theme.series(renderer)}33` }
+              ? { background: `${theme.series(seriesOf(study, renderer))}33` }
               : {}),
           }}
         >
-          {renderer === undefined ? null : (
-            <svg width={14} height={14} viewBox="0 0 16 16" aria-hidden="true">
-              <Marker shape={renderer} x={8} y={8} size={5} colour={theme.series(renderer)} />
-            </svg>
-          )}
+          {renderer === undefined ? null : <RendererMark study={study} renderer={renderer} />}
           <b>{count}</b> <span class="words">{text}</span>
         </span>
       ))}
@@ -240,11 +239,10 @@ interface ColumnsProps {
 
 /** A few renderers at all levels: who is fastest on how many targets, and the ratios. */
 function ColumnsAnswer({ study, metric, answers, wanted, base }: ColumnsProps) {
-  const theme = useTheme();
   return (
     <>
       <p class="answer">{answerSentence(study, wanted)}</p>
-      <RendererKey study={study} theme={theme} />
+      <RendererKey study={study} />
       <BarKey />
       <table class="answer-table">
         <thead>

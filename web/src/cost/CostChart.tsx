@@ -171,7 +171,7 @@ export function CostChart(props: Props) {
   const { element, width } = useWidth();
   const [hovered, setHovered] = useState<Placed>();
   const shown = new Set(chart.curves.map(({ curve }) => curve.renderer));
-  const renderers = rendererItems(study.renderers, theme).filter((_, i) => shown.has(i));
+  const renderers = rendererItems(study, theme).filter((_, i) => shown.has(i));
   const lines = lineItems(chart, ranges, theme);
   const room = Math.max(200, width - 16);
   const top = kMargin.top + legendRows(renderers, room).rows * kLegendRow_px + 6;

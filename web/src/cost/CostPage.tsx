@@ -7,7 +7,7 @@ import { About } from "./About";
 import { Answer } from "./Answer";
 import { chartOf, rangesOf, type Axes } from "./chart_data";
 import { completed } from "./older";
-import { metricsWithTimes } from "./ranking";
+import { levelsOf, metricsWithTimes } from "./ranking";
 import { CostChart, titleOf } from "./CostChart";
 import { pointRows } from "./csv_rows";
 import { FitTable } from "./FitTable";
@@ -16,6 +16,7 @@ import { Pictures } from "./Pictures";
 import { TimeTable } from "./TimeTable";
 import { errorOf, kTimes, metricName, metricOf } from "./quantities";
 import { SaveButtons } from "./SaveButtons";
+import { Since } from "./Since";
 import { PointViewer } from "./PointViewer";
 import { sheetOf } from "./save";
 import { currentTheme } from "./theme";
@@ -216,6 +217,11 @@ export function CostPage(read: Props) {
         <h1>Who is fastest?</h1>
         <Answer study={study} metric={metric} base={query["base"]} level={query["at"]} />
       </section>
+      <Since
+        {...props}
+        metric={metric}
+        level={levelsOf(study, metric).find((one) => String(one) === query["at"])}
+      />
       <Choices study={study} axes={axes} metric={metric} target={target} route={route} />
       <TargetPanel {...props} axes={axes} target={target} />
       <Multiples study={study} axes={axes} targets={targets} chosen={target} route={route} />

@@ -186,7 +186,7 @@ export function CurvesPart({ chart, scales, box, theme, small }: PartProps) {
     <g fill="none">
       {chart.curves.map((one) => {
         const { curve, points } = one;
-        const colour = theme.series(curve.renderer);
+        const colour = theme.series(one.series);
         const upper = points.map(({ x, yEnds }) => ({ x, y: inside(yEnds[1]) }));
         const lower = points.map(({ x, yEnds }) => ({ x, y: inside(yEnds[0]) })).reverse();
         const fit = fittedCurve(one, chart.axes);
@@ -240,7 +240,7 @@ export function PointMark({
   size: number;
 }) {
   const [x, y] = placeOf(scales, placed);
-  const colour = theme.series(placed.curve.renderer);
+  const colour = theme.series(placed.series);
   return (
     <>
       <line
@@ -252,7 +252,7 @@ export function PointMark({
         stroke-width={1.2}
       />
       <Marker
-        shape={placed.curve.renderer}
+        shape={placed.series}
         x={x}
         y={y}
         size={size}

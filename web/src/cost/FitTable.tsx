@@ -1,3 +1,4 @@
+import { Scroll } from "../common/Scroll";
 import { seconds } from "../common/format";
 import { TableHead, type Column } from "../common/TableHead";
 import { withEnds } from "./quantities";
@@ -30,7 +31,7 @@ function floorText({ fit }: CostCurve): string {
 /** The fitted curves of one target in numbers. */
 export function FitTable({ study, curves }: { study: CostStudy; curves: CostCurve[] }) {
   return (
-    <div class="scroll">
+    <Scroll label="Fits of the curves">
       <table class="fits">
         <TableHead columns={kColumns} />
         <tbody>
@@ -60,6 +61,6 @@ export function FitTable({ study, curves }: { study: CostStudy; curves: CostCurv
             {study.renderers[renderer]?.name}: {text}
           </p>
         ))}
-    </div>
+    </Scroll>
   );
 }

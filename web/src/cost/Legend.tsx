@@ -1,4 +1,6 @@
+import { seriesOf } from "../charts/series";
 import type { ComponentChildren } from "preact";
+import type { CostStudy } from "../data/generated";
 import { Marker } from "./Marker";
 import type { Theme } from "./theme";
 
@@ -52,16 +54,26 @@ export function Legend({ items, x, y, width, theme }: LegendProps) {
   );
 }
 
-export const rendererItems = (
-  renderers: { name: string; biased: string }[],
-  theme: Theme,
-): LegendItem[] =>
-  renderers.map(({ name, biased }, i) => ({
+export const rendererItems = (study: CostStudy, theme: Theme): LegendItem[] =>
+  study.renderers.map(({ name, biased }, i) => ({
     text: biased ? `${name} (biased: ${biased})` : name,
     sign: (x, y) => (
       <>
-        <line x1={x} y1={y} x2={x + 20} y2={y} stroke={theme.series(i)} stroke-width={1.5} />
-        <Marker shape={i} x={x + 10} y={y} size={4.5} colour={theme.series(i)} />
+        <line
+          x1={x}
+          y1={y}
+          x2={x + 20}
+          y2={y}
+          stroke={theme.series(seriesOf(study, i))}
+          stroke-width={1.5}
+        />
+        <Marker
+          shape={seriesOf(study, i)}
+          x={x + 10}
+          y={y}
+          size={4.5}
+          colour={theme.series(seriesOf(study, i))}
+        />
       </>
     ),
   }));

@@ -1,3 +1,7 @@
+import { seriesOf } from "../charts/series";
+import type { CostStudy } from "../data/generated";
+import { useTheme } from "./theme";
+
 interface MarkerProps {
   /** Index of the renderer: the shape tells renderers apart without colour. */
   shape: number;
@@ -45,4 +49,15 @@ export function Marker({ shape, x, y, size, colour, hollow }: MarkerProps) {
   if (!corners) return <circle cx={x} cy={y} r={size} {...paint} />;
   const points = corners.map(([dx, dy]) => `${x + dx * size},${y + dy * size}`).join(" ");
   return <polygon points={points} {...paint} />;
+}
+
+/** The marker of a renderer of the study, as a sign beside its name. */
+export function RendererMark({ study, renderer }: { study: CostStudy; renderer: number }) {
+  const theme = useTheme();
+  const series = seriesOf(study, renderer);
+  return (
+    <svg width={16} height={16} viewBox="0 0 16 16" aria-hidden="true">
+      <Marker shape={series} x={8} y={8} size={5} colour={theme.series(series)} />
+    </svg>
+  );
 }

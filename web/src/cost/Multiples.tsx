@@ -1,3 +1,4 @@
+import { seriesOf } from "../charts/series";
 import { useMemo, useRef } from "preact/hooks";
 import { routeText, type Route } from "../route";
 import { chartOf, rangesOf, type Axes, type ChartOfTarget, type Ranges } from "./chart_data";
@@ -14,7 +15,7 @@ import {
   type Box,
 } from "./Drawing";
 import { pointRows } from "./csv_rows";
-import { Marker, markerLetter } from "./Marker";
+import { markerLetter, RendererMark } from "./Marker";
 import { SaveButtons } from "./SaveButtons";
 import { sheetOf } from "./save";
 import { useTheme, type Theme } from "./theme";
@@ -60,14 +61,12 @@ function SmallChart({ chart, ranges, theme }: SmallProps) {
 }
 
 /** Which marker is whose. */
-export function RendererKey({ study, theme }: { study: CostStudy; theme: Theme }) {
+export function RendererKey({ study }: { study: CostStudy }) {
   return (
     <ul class="renderer-key">
       {study.renderers.map(({ name, biased }, i) => (
         <li key={name}>
-          <svg width={16} height={16} viewBox="0 0 16 16" aria-hidden="true">
-            <Marker shape={i} x={8} y={8} size={5} colour={theme.series(i)} />
-          </svg>
+          <RendererMark study={study} renderer={i} />
           {name}
           {biased ? <span class="quiet"> (biased: {biased})</span> : null}
         </li>
@@ -110,8 +109,8 @@ export function Multiples({ study, axes, targets, chosen, route }: Props) {
       [
         { text: `${yLabel(axes)}, against ${xLabel(axes)}`, colour: theme.text },
         ...study.renderers.map(({ name }, i) => ({
-          text: `${markerLetter(i)} ${name}`,
-          colour: theme.series(i),
+          text: `${markerLetter(seriesOf(study, i))} ${name}`,
+          colour: theme.series(seriesOf(study, i)),
         })),
       ],
     );
@@ -120,7 +119,7 @@ export function Multiples({ study, axes, targets, chosen, route }: Props) {
     <section class="cost-panel multiples" aria-label="All targets">
       <div class="panel-head">
         <h2>All targets, on the same axes</h2>
-        <RendererKey study={study} theme={theme} />
+        <RendererKey study={study} />
         <SaveButtons
           name={`${study.suite} all targets`}
           sheet={sheet}

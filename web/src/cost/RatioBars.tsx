@@ -1,4 +1,5 @@
-import { Marker } from "./Marker";
+import { seriesOf } from "../charts/series";
+import { RendererMark } from "./Marker";
 import { ratioRows, ratioScale, type RatioRow, type RatioScale } from "./ratio_bars";
 import { ratioText } from "./quantities";
 import type { Theme } from "./theme";
@@ -59,19 +60,10 @@ export function RatioBars({ study, theme, base, metric, level }: Props) {
         {rows.map((row) => (
           <tr key={row.name}>
             <th scope="row">
-              <svg width={14} height={14} viewBox="0 0 16 16" aria-hidden="true">
-                <Marker
-                  shape={row.renderer}
-                  x={8}
-                  y={8}
-                  size={5}
-                  colour={theme.series(row.renderer)}
-                />
-              </svg>{" "}
-              {row.name}
+              <RendererMark study={study} renderer={row.renderer} /> {row.name}
             </th>
             <td class="bar">
-              <Bar row={row} scale={scale} colour={theme.series(row.renderer)} />
+              <Bar row={row} scale={scale} colour={theme.series(seriesOf(study, row.renderer))} />
             </td>
             <td>{words(row, row.renderer === base, study.targets.length)}</td>
           </tr>

@@ -1,3 +1,4 @@
+import { Scroll } from "../common/Scroll";
 import { useMemo } from "preact/hooks";
 import { seconds } from "../common/format";
 import { note, routeText, type Route } from "../route";
@@ -117,7 +118,7 @@ export function TimeTable({ study, metric, targets, route }: Props) {
         <span class="quiet">★ shown to be the fastest of the renderers that reach it</span>
         <SaveButtons name={`${study.suite} times to error`} rows={() => timeToErrorRows(study)} />
       </div>
-      <div class="scroll" tabIndex={0} role="region" aria-label="Table of times">
+      <Scroll label="Table of times">
         <table>
           <thead>
             <tr>
@@ -137,7 +138,7 @@ export function TimeTable({ study, metric, targets, route }: Props) {
             ))}
           </tbody>
         </table>
-      </div>
+      </Scroll>
     </section>
   );
 }

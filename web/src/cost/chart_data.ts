@@ -1,3 +1,4 @@
+import { seriesOf } from "../charts/series";
 import { errorOf, type TimeName } from "./quantities";
 import { rangeOf } from "./scale";
 import type { CostCurve, CostMetric, CostPoint, CostStudy } from "../data/generated";
@@ -11,6 +12,8 @@ export interface Axes {
 /** A point with both values, and the ends of their intervals where they are known. */
 export interface Placed {
   curve: CostCurve;
+  /** Of its renderer: its colour and marker. */
+  series: number;
   /** Index within the points of the curve. */
   index: number;
   point: CostPoint;
@@ -23,7 +26,7 @@ export interface Placed {
 export interface ChartOfTarget {
   target: number;
   axes: Axes;
-  curves: { curve: CostCurve; points: Placed[] }[];
+  curves: { curve: CostCurve; series: number; points: Placed[] }[];
   /** Points that no other is both faster and better than, in the order of x. */
   frontier: Placed[];
   /** Levels of the metric to which times are stated. */
@@ -36,7 +39,7 @@ const endsOf = (interval: MaybeInterval, value: number): [number, number] => [
   interval?.high ?? value,
 ];
 
-function placedPoints(curve: CostCurve, { x, y }: Axes): Placed[] {
+function placedPoints(curve: CostCurve, series: number, { x, y }: Axes): Placed[] {
   return curve.points.flatMap((point, index) => {
     const [time, error] = [point[x], errorOf(point, y.name)];
     if (time?.value == null || error?.value == null) return [];
@@ -44,6 +47,7 @@ function placedPoints(curve: CostCurve, { x, y }: Axes): Placed[] {
     return [
       {
         curve,
+        series,
         index,
         point,
         x: time.value,
@@ -76,10 +80,11 @@ function noiseOf(study: CostStudy, target: number, metric: string): number | nul
 export function chartOf(study: CostStudy, target: number, axes: Axes): ChartOfTarget {
   const curves = study.curves
     .filter((curve) => curve.target === target)
-    .map((curve) => ({
-      curve,
-      points: placedPoints(curve, axes).sort((a, b) => a.x - b.x),
-    }));
+    .map((curve) => {
+      const series = seriesOf(study, curve.renderer);
+      const points = placedPoints(curve, series, axes).sort((a, b) => a.x - b.x);
+      return { curve, series, points };
+    });
   const levels = new Set(
     curves.flatMap(({ curve }) =>
       curve.times_to_error.filter(({ metric }) => metric === axes.y.name).map(({ level }) => level),

@@ -42,6 +42,8 @@ export function embeddedSource(): Source {
       if (!target) throw new Error("this run has no such target");
       return target;
     },
+    costChanges: () =>
+      Promise.reject(new Error("this page is one file, 'orbs serve' compares studies")),
     comparison: () => Promise.reject(new Error("this page is one file, 'orbs serve' tests them")),
     raster: (_run, file, layer) => raster(file, layer),
     // The floats are at hand: a second, smaller form of each image would make the file larger.

@@ -18,6 +18,7 @@ export function embeddedStudy(): Source {
     overview: noRun,
     target: noRun,
     comparison: noRun,
+    costChanges: noRun,
     raster: noRun,
     preview: noRun,
     study: async <K extends StudyKind>() => study as Studies[K],

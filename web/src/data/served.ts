@@ -6,6 +6,7 @@ import { editing } from "./edit";
 import type { Raster } from "./raster";
 import {
   kStudyKinds,
+  type CostChanges,
   type Overview,
   type Progress,
   type StudyKind,
@@ -24,6 +25,9 @@ async function get(address: string, signal?: AbortSignal): Promise<Response> {
 }
 
 const encoded = (path: string): string => path.split("/").map(encodeURIComponent).join("/");
+
+const costChanges = async (before: number, after: number): Promise<CostChanges> =>
+  (await (await get(`/data/${after}/before/${before}.json`)).json()) as CostChanges;
 
 export async function servedSource(): Promise<Source> {
   const { runs, edit } = (await (await get("/data/runs.json")).json()) as {
@@ -63,6 +67,7 @@ export async function servedSource(): Promise<Source> {
       const response = await get(`/data/${after}/before/${before}.json${query}`);
       return (await response.json()) as RunComparison;
     },
+    costChanges,
     raster,
     study: async <K extends StudyKind>(kind: K, run: number) => {
       const file = kStudyKinds.find(({ name }) => name === kind)?.file ?? "";

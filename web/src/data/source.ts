@@ -3,7 +3,14 @@ import type { Studies } from "../studies";
 import type { Editing } from "./edit";
 import { embeddedSource } from "./embedded";
 import { embeddedStudy } from "./embedded_study";
-import type { ImageFile, Overview, Progress, StudyKind, TargetDetail } from "./generated";
+import type {
+  CostChanges,
+  ImageFile,
+  Overview,
+  Progress,
+  StudyKind,
+  TargetDetail,
+} from "./generated";
 import type { Raster } from "./raster";
 import { servedSource } from "./served";
 
@@ -32,6 +39,8 @@ export interface Source {
   target(run: number, index: number): Promise<TargetDetail>;
   /** What `orbs compare-runs` says of two runs, or of one renderer of each. */
   comparison(before: number, after: number, renderers: [string, string]): Promise<RunComparison>;
+  /** What it says of two studies of cost; rejects with an Error that says why they cannot be compared. */
+  costChanges(before: number, after: number): Promise<CostChanges>;
   /** One layer of an image; rejects with an Error that says why. */
   raster(run: number, file: string, layer: string, signal: AbortSignal): Promise<Raster>;
   /** Address of a small picture of an image, as a display shows it. */

@@ -1,3 +1,4 @@
+import { Scroll } from "../common/Scroll";
 import { PairList } from "../common/PairList";
 import { useRequest } from "../common/request";
 import type { Source } from "../data/source";
@@ -18,46 +19,48 @@ function Matrix({ study, chosen }: { study: StabilityStudy; chosen: string }) {
   const cellOf = (relation: string, renderer: string) =>
     study.matrix.find((cell) => cell.relation === relation && cell.renderer === renderer);
   return (
-    <table class="matrix">
-      <thead>
-        <tr>
-          <th scope="col">change</th>
-          {study.renderers.map(({ name }) => (
-            <th key={name} scope="col">
-              {name}
-            </th>
-          ))}
-        </tr>
-      </thead>
-      <tbody>
-        {study.relations.map((relation) => (
-          <tr key={relation.name}>
-            <th scope="row" title={relation.name}>
-              {relation.change}
-            </th>
-            {study.renderers.map(({ name }) => {
-              const cell = cellOf(relation.name, name);
-              const key = `${relation.name}/${name}`;
-              return (
-                <td key={name} class={cell?.first_break ? "broken" : undefined}>
-                  {!cell ? (
-                    "not measured"
-                  ) : cell.scenes > 0 ? (
-                    <button aria-pressed={key === chosen} onClick={() => note({ cell: key })}>
-                      {cellText(cell, relation)}
-                    </button>
-                  ) : (
-                    <span class="quiet" title={cell.why_not_applicable}>
-                      {cellText(cell, relation)}
-                    </span>
-                  )}
-                </td>
-              );
-            })}
+    <Scroll label="Changes and renderers">
+      <table class="matrix">
+        <thead>
+          <tr>
+            <th scope="col">change</th>
+            {study.renderers.map(({ name }) => (
+              <th key={name} scope="col">
+                {name}
+              </th>
+            ))}
           </tr>
-        ))}
-      </tbody>
-    </table>
+        </thead>
+        <tbody>
+          {study.relations.map((relation) => (
+            <tr key={relation.name}>
+              <th scope="row" title={relation.name}>
+                {relation.change}
+              </th>
+              {study.renderers.map(({ name }) => {
+                const cell = cellOf(relation.name, name);
+                const key = `${relation.name}/${name}`;
+                return (
+                  <td key={name} class={cell?.first_break ? "broken" : undefined}>
+                    {!cell ? (
+                      "not measured"
+                    ) : cell.scenes > 0 ? (
+                      <button aria-pressed={key === chosen} onClick={() => note({ cell: key })}>
+                        {cellText(cell, relation)}
+                      </button>
+                    ) : (
+                      <span class="quiet" title={cell.why_not_applicable}>
+                        {cellText(cell, relation)}
+                      </span>
+                    )}
+                  </td>
+                );
+              })}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </Scroll>
   );
 }
 
@@ -150,35 +153,37 @@ function Steps({ source, run, study, chosen }: Omit<Props, "route"> & { chosen: 
         {capitalised(relation.change)}: {renderer}
       </h2>
       <SweepChart study={study} relation={relation} steps={steps} />
-      <table class="steps">
-        <thead>
-          <tr>
-            {[
-              "scene",
-              "magnitude",
-              "outcome",
-              "mean",
-              "worst block",
-              "single pixels",
-              "reason",
-            ].map((head) => (
-              <th key={head} scope="col">
-                {head}
-              </th>
+      <Scroll label="Steps of the change">
+        <table class="steps">
+          <thead>
+            <tr>
+              {[
+                "scene",
+                "magnitude",
+                "outcome",
+                "mean",
+                "worst block",
+                "single pixels",
+                "reason",
+              ].map((head) => (
+                <th key={head} scope="col">
+                  {head}
+                </th>
+              ))}
+            </tr>
+          </thead>
+          <tbody>
+            {steps.map((step) => (
+              <StepRow
+                key={`${step.scene} ${step.magnitude}`}
+                step={step}
+                scene={study.scenes[step.scene]?.name ?? ""}
+                unit={relation.unit}
+              />
             ))}
-          </tr>
-        </thead>
-        <tbody>
-          {steps.map((step) => (
-            <StepRow
-              key={`${step.scene} ${step.magnitude}`}
-              step={step}
-              scene={study.scenes[step.scene]?.name ?? ""}
-              unit={relation.unit}
-            />
-          ))}
-        </tbody>
-      </table>
+          </tbody>
+        </table>
+      </Scroll>
       {steps
         .filter((step) => step.images)
         .map((step) => (
