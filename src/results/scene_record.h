@@ -56,7 +56,7 @@ struct EffectCostRecord {
   std::optional<double> mean_change = {}, mean_change_error = {};  // relative to the image that is called for
   bool is_enough = false;                                          // carries all that the scene calls for
   bool is_equal = false;                                           // the same image to the bit
-  bool is_comparable = true;  // false: it has no light paths for a caustic, so its times are of other work
+  bool is_comparable = true;  // false: one of both traces light paths, so its times are of other work
 };
 
 template <class Visitor, json::RecordOf<EffectCostRecord> Record>

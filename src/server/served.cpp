@@ -103,7 +103,9 @@ std::string ServedRun::progress() {
 results::RunRecord ServedRun::record() {
   const std::lock_guard lock(mutex_);
   look();
-  return view_.run;
+  auto run = view_.run;
+  run.folder = named_.string();  // for messages
+  return run;
 }
 
 std::string ServedRun::suite_and_size() {

@@ -166,6 +166,28 @@ test("the largest region that is wrong for certain is named and outlined", async
   await page.close();
 });
 
+test("a fault that is named comes before the region that it makes wrong", async () => {
+  const { page } = await open(session.browser, "about:blank");
+  const fault = "multiplied by pi: then 38.9 dB";
+  await page.route("**/overview.json", async (route) => {
+    const overview = (await (await route.fetch()).json()) as { reasons: string[] };
+    overview.reasons = overview.reasons.map((reason) => (reason ? `${fault}; ${reason}` : ""));
+    await route.fulfill({ json: overview });
+  });
+  await page.route("**/data/*/target/*", async (route) => {
+    const detail = (await (await route.fetch()).json()) as Record<string, unknown>;
+    const regions = [{ where: [8, 8, 24, 24], seen: "", text: "the left, 214 % too bright" }];
+    await route.fulfill({ json: { ...detail, diagnosis: fault, wrong_regions: regions } });
+  });
+  await page.goto(`${session.url}${failing}`);
+  await page.locator(".wrong-region").waitFor();
+  assert.match(
+    (await page.locator(".verdict .reason").innerText()).replaceAll("\n", " "),
+    /multiplied by pi: then 38\.9 dB *the left, 214 % too bright/,
+  );
+  await page.close();
+});
+
 test("the number of differing pixels is that of a page in one file, which rounds to halves", async () => {
   const count = async (a: (x: number, y: number) => number, b: typeof a): Promise<string> => {
     const { page } = await open(session.browser, "about:blank");

@@ -5,6 +5,7 @@
 #include "metrics/seeds.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace orbs::studies {
@@ -34,9 +35,14 @@ double block_mean(const image::Image& image, int x0, int y0, int width, int heig
   return sum / count;
 }
 
-bool has_light_paths(const image::Image& image) {
-  const auto found = image.attributes.find("orbs.light_paths");
-  return found != image.attributes.end() && found->second == "yes";
+// What the image was made with besides camera paths: light paths cost time of their own and find light that
+// camera paths miss.
+std::array<bool, 2> light_paths_of(const image::Image& image) {
+  const auto has = [&](const char* name) {
+    const auto found = image.attributes.find(name);
+    return found != image.attributes.end() && found->second == "yes";
+  };
+  return {has("orbs.light_paths"), has("orbs.light_connections")};
 }
 
 }  // namespace
@@ -57,7 +63,7 @@ ImageChange change_between(const std::vector<image::Image>& usual, const std::ve
     return whole > 0 ? MeanOfRounds{m.value / whole, m.standard_error / whole} : m;
   };
   ImageChange change;
-  change.is_comparable = has_light_paths(usual.front()) == has_light_paths(other.front());
+  change.is_comparable = light_paths_of(usual.front()) == light_paths_of(other.front());
   change.is_equal = std::equal(usual.begin(), usual.end(), other.begin(), image::has_same_colours);
   if (change.is_equal) return change;
   change.mean = relative(changes(0, 0, width, height));

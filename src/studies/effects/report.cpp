@@ -27,7 +27,7 @@ std::string percent(const MeanOfRounds& m) {
 std::string image_text(const Alternative& alternative) {
   const auto& change = alternative.change;
   if (change.is_equal) return "same to the bit";
-  if (!change.is_comparable) return "not compared: it has no light paths for the caustic";
+  if (!change.is_comparable) return "not compared: one of both traces light paths";
   if (change.bias.empty()) return "same but for noise";
   return fmt::format("{}mean {}, most {} at ({}, {})", alternative.is_enough ? "DIFFERS: " : "",
                      percent(change.mean), percent(change.largest), change.x, change.y);
@@ -96,7 +96,7 @@ void put_definitions(json::Writer& out) {
       .member("again", "the scene rendered once more in each round in the same way: A/A")
       .member("error_ratio",
               "median time ratio times the ratio of the mean variances in linear Rec.709: the cost "
-              "of equal noise; 0 if unknown: no noise, or no light paths for the caustic")
+              "of equal noise; 0 if unknown: no noise, or one of both traces light paths")
       .member("mean_change",
               "difference of the mean Rec.709 luminances over the mean of the image that the scene calls "
               "for; same random numbers, standard error over the rounds")

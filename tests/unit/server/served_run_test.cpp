@@ -22,3 +22,11 @@ TEST(ServedRun, ARunWhoseFolderIsGoneIsNoLongerFollowed) {
   while (run.is_live()) std::this_thread::yield();  // it looks now and then
   EXPECT_GT(run.version(), version);
 }
+
+// Messages name the folder as the user does, and not the descriptor by which the server holds it.
+TEST(ServedRun, ARecordIsOfTheFolderThatWasNamed) {
+  const structure::TestFolder scratch("served-record");
+  scratch.write("results.json", results::run_json(results::RunRecord{}));
+  server::ServedRun run(scratch.path());
+  EXPECT_EQ(run.record().folder, std::filesystem::weakly_canonical(scratch.path()).string());
+}

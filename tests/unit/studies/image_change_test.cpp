@@ -63,6 +63,9 @@ TEST(ImageChange, CausticsThatOnlyLightPathsFindAreNotCompared) {
   for (auto& one : usual) one.attributes["orbs.light_paths"] = "yes";
   EXPECT_FALSE(studies::change_between(usual, images(0.1F, 0.1F)).is_comparable);
   EXPECT_TRUE(studies::change_between(usual, usual).is_comparable);
+  auto connected = images(0.1F);
+  for (auto& one : connected) one.attributes["orbs.light_connections"] = "yes";
+  EXPECT_FALSE(studies::change_between(connected, images(0.1F, 0.1F)).is_comparable);
 }
 
 TEST(ImageChange, TheVarianceIsThatOfAllImages) {

@@ -15,17 +15,20 @@ interface Props {
 /** The verdict with its first reason, which is the diagnosis where the fault is known; the others are folded away. */
 export function Verdict({ session, index, diagnosis, region }: Props) {
   const [first = "", ...others] = reasonOf(session.overview, index).split("; ");
+  // What a named fault does to a region is no news: the fault comes first.
+  const isNamed = first !== "" && first === diagnosis;
   const goesOn = goesOnText(session.overview, index);
   return (
     <div class="reason">
       <StateMark state={stateOf(session.overview, index)} />{" "}
       {goesOn ? <span class="goes-on tone-active">{goesOn}</span> : null}
+      {isNamed ? <b class="diagnosis">{first}</b> : null}
       {region ? (
         <b class="wrong-region" title="outlined in the images; larger than noise for certain">
           {region}
         </b>
       ) : null}
-      {first}
+      {isNamed ? null : first}
       {others.length > 0 ? (
         <details class="more-reasons">
           <summary>and {others.length} more</summary>

@@ -131,7 +131,8 @@ function Compared({ session, sides: { before, after }, metric }: ComparedProps) 
       ) : null}
       {before.run !== after.run && a.run.started > b.run.started ? (
         <p class="tone-unsure">
-          The run before was started later ({a.run.started}) than the run after ({b.run.started}).
+          The run before was started later ({a.run.started.replace("T", " ")}) than the run after (
+          {b.run.started.replace("T", " ")}).
         </p>
       ) : null}
       {comparison ? <Numbers comparison={comparison} /> : null}

@@ -45,7 +45,11 @@ export function costOf(scene: SceneEffects, effect: string): EffectCost | undefi
 /** The most expensive of the transports that carry more than the scene calls for: what it does not pay. */
 export function spared(scene: SceneEffects): EffectCostRecord | undefined {
   return scene.costs
-    .filter(({ is_enough, is_comparable }) => is_enough && is_comparable)
+    .filter(({ name, is_enough, is_comparable }) => {
+      // Of a scene in three colours every transport carries more, but coloured surfaces look different in it.
+      const carriesMore = is_enough || (scene.transport === "rgb" && !name.startsWith("without "));
+      return carriesMore && is_comparable;
+    })
     .sort((a, b) => b.time_ratio - a.time_ratio)[0];
 }
 
