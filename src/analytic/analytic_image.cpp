@@ -23,6 +23,23 @@ using RadianceAlong = std::function<Rgb(const Ray&)>;
 
 Rgb grey(double value) { return {value, value, value}; }
 
+double albedo(const registry::OrenNayarBrdf& brdf, double reflectance, double theta) {
+  return reflectance * oren_nayar_albedo(brdf.roughness, theta);
+}
+double albedo(const registry::GgxBrdf& brdf, double reflectance, double theta) {
+  return reflectance * directional_albedo(ggx_brdf(brdf.alpha), std::cos(theta));
+}
+double albedo(const registry::MetalBrdf& brdf, double reflectance, double theta) {
+  return directional_albedo(metal_brdf(reflectance, brdf.alpha), std::cos(theta));
+}
+double albedo(const registry::MetallicRoughnessBrdf& brdf, double reflectance, double theta) {
+  return directional_albedo(metallic_roughness_brdf(reflectance, brdf.metallic, brdf.roughness),
+                            std::cos(theta));
+}
+double albedo(const registry::PhongBrdf& brdf, double reflectance, double theta) {
+  return directional_albedo(phong_brdf(reflectance, brdf.exponent), std::cos(theta));
+}
+
 /// The directional albedo at even steps of the angle, linear between them: (pi / 2 / 512)^2 / 8 = 1.2e-6 of
 /// its second derivative off.
 class AlbedoTable {
@@ -30,9 +47,8 @@ class AlbedoTable {
   explicit AlbedoTable(const registry::AlbedoBall& ball) {
     for (int i = 0; i <= kSteps; ++i) {
       const double theta = i * std::numbers::pi / 2 / kSteps;
-      values_.push_back(ball.reflectance * (ball.ggx_alpha
-                                                ? ggx_albedo(*ball.ggx_alpha, std::cos(theta))
-                                                : oren_nayar_albedo(*ball.oren_nayar_roughness, theta)));
+      values_.push_back(
+          std::visit([&](const auto& brdf) { return albedo(brdf, ball.reflectance, theta); }, ball.brdf));
     }
   }
   double at(double theta) const {

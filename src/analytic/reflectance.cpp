@@ -18,6 +18,9 @@ double smith_lambda(double alpha, double cosine) {
   return (std::sqrt(1 + alpha * alpha * tangent_squared) - 1) / 2;
 }
 
+// (1 - cos)^5 at the half vector, which has the angle between the directions halved on each side.
+double schlick_weight(double between) { return std::pow(1 - std::sqrt((1 + between) / 2), 5); }
+
 }  // namespace
 
 Quadrature gauss_legendre(int count) {
@@ -55,29 +58,60 @@ double oren_nayar_albedo(double roughness, double theta) {
   return a + 2 * b / kPi * (sine * (theta - sine * cosine) / 2 + grazing / 3);
 }
 
-double ggx_albedo(double alpha, double cosine) {
+BrdfOfCosines ggx_brdf(double alpha, Masking masking) {
+  return [=](double out, double in, double between) {
+    // The half vector m is (wo + wi) over its length, whose square is 2 + 2 between.
+    const double z_squared = (out + in) * (out + in) / (2 + 2 * between);
+    const double s = (1 - z_squared) / (alpha * alpha) + z_squared;
+    const double lambda_out = smith_lambda(alpha, out);
+    const double lambda_in = smith_lambda(alpha, in);
+    const double g2 = masking == Masking::Correlated ? 1 / (1 + lambda_out + lambda_in)
+                                                     : 1 / ((1 + lambda_out) * (1 + lambda_in));
+    return g2 / (kPi * alpha * alpha * s * s) / (4 * out);
+  };
+}
+
+BrdfOfCosines metal_brdf(double reflectance, double alpha) {
+  return [reflectance, ggx = ggx_brdf(alpha, Masking::Correlated)](double out, double in, double between) {
+    const double weight = schlick_weight(between);
+    return (reflectance + (1 - reflectance) * weight) * ggx(out, in, between);
+  };
+}
+
+BrdfOfCosines metallic_roughness_brdf(double base, double metallic, double roughness) {
+  return
+      [=, ggx = ggx_brdf(roughness * roughness, Masking::Separable)](double out, double in, double between) {
+        const double weight = schlick_weight(between);
+        const double facets = ggx(out, in, between);
+        const double fresnel = 0.04 + 0.96 * weight;
+        const double dielectric = (1 - fresnel) * base / kPi * in + fresnel * facets;
+        return (1 - metallic) * dielectric + metallic * (base + (1 - base) * weight) * facets;
+      };
+}
+
+BrdfOfCosines phong_brdf(double reflectance, double exponent) {
+  return [=](double out, double in, double between) {
+    // Mirroring turns the azimuth by half a circle: the part of the cosine across the normal changes its
+    // sign.
+    const double cosine = std::max(0.0, 2 * out * in - between);
+    return reflectance * (exponent + 2) / (2 * kPi) * std::pow(cosine, exponent) * in;
+  };
+}
+
+double directional_albedo(const BrdfOfCosines& brdf, double cosine) {
   constexpr int kCosines = 160;
   constexpr int kAzimuths = 256;
   static const auto rule = gauss_legendre(kCosines);
-  const double mu = std::max(cosine, 1e-6);
-  const double sine = std::sqrt((1 - mu) * (1 + mu));
-  const double lambda = smith_lambda(alpha, mu);
+  const double out = std::max(cosine, 1e-6);
+  const double sine = std::sqrt((1 - out) * (1 + out));
   double sum = 0;
   for (int i = 0; i < kCosines; ++i) {
     const double in = nth(rule.nodes, i);
     const double in_sine = std::sqrt((1 - in) * (1 + in));
-    const double g2 = 1 / (1 + lambda + smith_lambda(alpha, in));
     double over_azimuths = 0;
-    for (int j = 0; j < kAzimuths; ++j) {
-      const double phi = (j + 0.5) * kPi / kAzimuths;
-      const double x = sine + in_sine * std::cos(phi);
-      const double y = in_sine * std::sin(phi);
-      const double z = mu + in;
-      const double squared = x * x + y * y + z * z;
-      const double s = ((x * x + y * y) / (alpha * alpha) + z * z) / squared;
-      over_azimuths += 1 / (kPi * alpha * alpha * s * s);
-    }
-    sum += nth(rule.weights, i) * g2 * over_azimuths * 2 * kPi / kAzimuths / (4 * mu);
+    for (int j = 0; j < kAzimuths; ++j)
+      over_azimuths += brdf(out, in, out * in + sine * in_sine * std::cos((j + 0.5) * kPi / kAzimuths));
+    sum += nth(rule.weights, i) * over_azimuths * 2 * kPi / kAzimuths;
   }
   return sum;
 }

@@ -4,6 +4,7 @@
 #include "registry/analytic.h"
 
 #include <array>
+#include <functional>
 #include <vector>
 
 /// Directional albedo: what a surface shows in a constant environment of radiance 1.
@@ -15,10 +16,24 @@ namespace orbs::analytic {
 /// A + 2 B / pi (sin(theta) (theta - sin(theta) cos(theta)) / 2 + tan(theta) (1 - sin(theta)^3) / 3).
 double oren_nayar_albedo(double roughness, double theta);
 
-/// Of the scene format's ggx without a Fresnel factor (D of Walter et al. 2007, height-correlated G2 of Heitz
-/// 2014), by the product of Gauss and Legendre's rule over the cosine of the incident direction and the
-/// midpoint rule over the azimuth. For alpha >= 0.1.
-double ggx_albedo(double alpha, double cosine);
+/// A BRDF times the cosine of the incident direction, by the cosines of the angles of both directions to the
+/// normal and of that between them.
+using BrdfOfCosines = std::function<double(double out, double in, double between)>;
+
+enum class Masking { Correlated, Separable };
+
+/// The scene format's ggx without a Fresnel factor: D of Walter et al. 2007, G2 of Heitz 2014.
+BrdfOfCosines ggx_brdf(double alpha, Masking masking = Masking::Correlated);
+/// The same times Schlick's Fresnel factor.
+BrdfOfCosines metal_brdf(double reflectance, double alpha);
+/// glTF 2.0, appendix B.3.5 of its specification: separable masking; alpha is the square of the roughness.
+BrdfOfCosines metallic_roughness_brdf(double base, double metallic, double roughness);
+/// Lafortune and Willems 1994.
+BrdfOfCosines phong_brdf(double reflectance, double exponent);
+
+/// By the product of Gauss and Legendre's rule over the cosine of the incident direction and the midpoint
+/// rule over the azimuth. For lobes of alpha >= 0.1 and of exponents to 100.
+double directional_albedo(const BrdfOfCosines& brdf, double cosine);
 
 /// Nodes and weights of Gauss and Legendre's rule on [0, 1].
 struct Quadrature {

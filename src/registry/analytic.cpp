@@ -129,14 +129,29 @@ FresnelPlane load_fresnel_plane(ObjectReader& in) {
   return image;
 }
 
+// The quadrature of lobes that are narrower would need more nodes.
+constexpr json::Range kWideAlpha{0.1, 1};
+
+BallBrdf load_ball_brdf(ObjectReader& in) {
+  std::vector<BallBrdf> all;
+  if (in.has("oren_nayar_roughness"))
+    all.emplace_back(OrenNayarBrdf{in.number("oren_nayar_roughness", {0, 1})});
+  if (in.has("ggx_alpha")) all.emplace_back(GgxBrdf{in.number("ggx_alpha", kWideAlpha)});
+  if (in.has("metal_alpha")) all.emplace_back(MetalBrdf{in.number("metal_alpha", kWideAlpha)});
+  if (in.has("metallic"))
+    all.emplace_back(MetallicRoughnessBrdf{in.number("metallic", {0, 1}), in.number("roughness", {0.32, 1})});
+  if (in.has("phong_exponent")) all.emplace_back(PhongBrdf{in.number("phong_exponent", {0, 100})});
+  if (all.size() != 1)
+    in.fail(
+        "",
+        "needs one of 'oren_nayar_roughness', 'ggx_alpha', 'metal_alpha', 'metallic' and 'phong_exponent'");
+  return all.front();
+}
+
 AlbedoBall load_albedo_ball(ObjectReader& in) {
-  AlbedoBall image{
-      in.vec3("centre"), in.number("radius", json::kPositive), in.number("reflectance", {0, 1}), {}, {}};
-  if (in.has("oren_nayar_roughness")) image.oren_nayar_roughness = in.number("oren_nayar_roughness", {0, 1});
-  if (in.has("ggx_alpha")) image.ggx_alpha = in.number("ggx_alpha", {0.1, 1});
-  if (image.oren_nayar_roughness.has_value() == image.ggx_alpha.has_value())
-    in.fail("", "needs either 'oren_nayar_roughness' or 'ggx_alpha'");
-  return image;
+  const auto centre = in.vec3("centre");
+  const double radius_m = in.number("radius", json::kPositive);
+  return {centre, radius_m, in.number("reflectance", {0, 1}), load_ball_brdf(in)};
 }
 
 MirrorCorridor load_mirror_corridor(ObjectReader& in) {

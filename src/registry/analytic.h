@@ -76,13 +76,31 @@ struct FresnelPlane {
   int plates = 0;  // 0: what one plane reflects; else what so many plates transmit
 };
 
+/// The BRDFs of the scene format whose directional albedo is known, by its numbers.
+struct OrenNayarBrdf {
+  double roughness = 0;
+};
+struct GgxBrdf {
+  double alpha = 1;
+};
+struct MetalBrdf {
+  double alpha = 1;
+};
+struct MetallicRoughnessBrdf {
+  double metallic = 0;
+  double roughness = 1;
+};
+struct PhongBrdf {
+  double exponent = 0;
+};
+using BallBrdf = std::variant<OrenNayarBrdf, GgxBrdf, MetalBrdf, MetallicRoughnessBrdf, PhongBrdf>;
+
 /// A single convex ball in a constant environment of radiance 1: each pixel shows the directional albedo.
 struct AlbedoBall {
   Vec3d centre;
   double radius_m = 1;
   double reflectance = 1;
-  std::optional<double> oren_nayar_roughness;  // as the scene format has it: sigma = roughness pi / 2
-  std::optional<double> ggx_alpha;             // one of the two
+  BallBrdf brdf;
 };
 
 /// Mirrors at x = -half_width and x = half_width, a plane of radiance 1 at y = floor below the camera.

@@ -7,8 +7,11 @@
 #include "scene/materials/ggx.h"
 #include "scene/materials/glass.h"
 #include "scene/materials/lambert.h"
+#include "scene/materials/metal.h"
+#include "scene/materials/metallic_roughness.h"
 #include "scene/materials/mirror.h"
 #include "scene/materials/oren_nayar.h"
+#include "scene/materials/phong.h"
 #include "scene/materials/polariser.h"
 #include "scene/materials/retarder.h"
 #include "scene/materials/rough_glass.h"
@@ -35,7 +38,10 @@ using MaterialModel = MaterialVariant<Lambert,
                                       Dielectric,
                                       Polariser,
                                       Retarder,
-                                      Fluorescent>;
+                                      Fluorescent,
+                                      Metal,
+                                      MetallicRoughness,
+                                      Phong>;
 
 struct Material {
   std::string name;

@@ -77,7 +77,10 @@ struct SurfaceWriter {
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
       {},
-      {{"E1", "glTF's metals follow Schlick's formula, not n and k"},
+      {{"B1", "glTF's metals are masked by the separable term"},
+       {"B7", "the exporter to glTF does not write it yet"},
+       {"B8", "glTF has no Phong reflection"},
+       {"E1", "glTF's metals follow Schlick's formula, not n and k"},
        {"E2", "glTF has three colours"},
        {"E3", "glTF knows no polarisation"},
        {"E4", "glTF has no fluorescence"},

@@ -83,7 +83,10 @@ struct MaterialWriter {
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
       {},
-      {{"E1", "HydraCore3's metals have one n and k for all three colours, and its lights reflect nothing"},
+      {{"B1", "HydraCore3's material called gltf is another model"},
+       {"B7", "HydraCore3's material called gltf has a coat with reflections inside"},
+       {"B8", "HydraCore3 has no Phong reflection"},
+       {"E1", "HydraCore3's metals have one n and k for all three colours, and its lights reflect nothing"},
        {"E2", "HydraCore3's mode of wavelengths has no spectra for colours"},
        {"E3", "HydraCore3 carries no polarisation"},
        {"E4", "HydraCore3 has no fluorescence"},

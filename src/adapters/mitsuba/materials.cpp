@@ -175,14 +175,18 @@ struct BsdfWriter {
 }  // namespace
 
 const BeyondOrbs& beyond_orbs() {
-  static const BeyondOrbs kLevels{{"E1", "E2", "E3"},
-                                  {{"E4", "Mitsuba has no fluorescence"},
-                                   {"E5", "Mitsuba has no thin films"},
-                                   {"E6", "Mitsuba's dielectrics have one index for all wavelengths"},
-                                   {"S7", "a plug-in is machine code for the built-in tracer"},
-                                   {"T1", "Mitsuba 3 has no shapes that move"},
-                                   {"T2", "Mitsuba 3 has no meshes that change their shape"},
-                                   {"T3", "Mitsuba 3 has no cameras that move"}}};
+  static const BeyondOrbs kLevels{
+      {"E1", "E2", "E3"},
+      {{"B1", "Mitsuba's rough metals follow n and k and are masked by the separable term"},
+       {"B7", "Mitsuba's principled BSDF is another model"},
+       {"B8", "Mitsuba 3 has no Phong reflection"},
+       {"E4", "Mitsuba has no fluorescence"},
+       {"E5", "Mitsuba has no thin films"},
+       {"E6", "Mitsuba's dielectrics have one index for all wavelengths"},
+       {"S7", "a plug-in is machine code for the built-in tracer"},
+       {"T1", "Mitsuba 3 has no shapes that move"},
+       {"T2", "Mitsuba 3 has no meshes that change their shape"},
+       {"T3", "Mitsuba 3 has no cameras that move"}}};
   return kLevels;
 }
 

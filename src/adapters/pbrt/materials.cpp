@@ -145,7 +145,10 @@ struct MaterialWriter {
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
       {"E1", "E2", "E6"},
-      {{"E3", "pbrt carries no polarisation"},
+      {{"B1", "pbrt's metals follow n and k, not Schlick's formula"},
+       {"B7", "pbrt has no material of metallic and roughness"},
+       {"B8", "pbrt has no Phong reflection"},
+       {"E3", "pbrt carries no polarisation"},
        {"E4", "pbrt has no fluorescence"},
        {"E5", "pbrt has no thin films"},
        {"S7", "a plug-in is machine code for the built-in tracer"},

@@ -160,7 +160,10 @@ std::string texture_copy(const scene::Scene& scene, int index, const std::string
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
       {"E6", "S1", "S2", "S3", "S4"},
-      {{"E1", "POV-Ray has no indices of metals, and no glossy reflection or refraction"},
+      {{"B1", "POV-Ray has glossy highlights of light sources, no glossy reflection"},
+       {"B7", "POV-Ray has no microfacets"},
+       {"B8", "POV-Ray's phong is a highlight of light sources alone, without the cosine"},
+       {"E1", "POV-Ray has no indices of metals, and no glossy reflection or refraction"},
        {"E2", "POV-Ray renders in three colours"},
        {"E3", "POV-Ray carries no polarisation"},
        {"E4", "POV-Ray has no fluorescence"},

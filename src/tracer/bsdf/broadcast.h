@@ -3,6 +3,7 @@
 #include "base/vec.h"
 
 #include <array>
+#include <type_traits>
 
 namespace orbs::tracer {
 
@@ -21,6 +22,15 @@ Value broadcast(const std::array<float, N>& each) {
     return Value{each[0], each[0], each[0]};
   else
     return float4(each);
+}
+
+/// The same factor at all wavelengths and in all channels.
+template <typename Value>
+Value even(float factor) {
+  if constexpr (std::is_same_v<Value, Vec3f>)
+    return {factor, factor, factor};
+  else
+    return Value{factor, factor, factor, factor};
 }
 
 }  // namespace orbs::tracer

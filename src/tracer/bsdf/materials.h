@@ -7,8 +7,11 @@
 #include "tracer/bsdf/ggx.h"
 #include "tracer/bsdf/glass.h"
 #include "tracer/bsdf/lambert.h"
+#include "tracer/bsdf/metal.h"
+#include "tracer/bsdf/metallic_roughness.h"
 #include "tracer/bsdf/mirror.h"
 #include "tracer/bsdf/oren_nayar.h"
+#include "tracer/bsdf/phong.h"
 #include "tracer/bsdf/rough_glass.h"
 #include "tracer/bsdf/thin_element.h"
 
@@ -19,8 +22,8 @@
 /// All materials. A material is a file of this folder and a line in MaterialModel. A file that lacks one of
 /// the following does not compile:
 ///   XMaterial                         its parameters, prepared once per scene
-///     kIsAppearance                     false for the materials of ORB.S; true for those that need the
-///                                       wavelengths of a path
+///     kIsAppearance                     false for the materials of ORB.S; true for all others, which
+///                                       have path loops of their own
 ///     Bsdfs<Value, N>                   BsdfList of the BSDFs that its file defines
 ///   make_material(scene::X, colours)  prepares it
 ///   lobe_alpha(material)              roughness of its narrowest lobe: 0 for a delta function, or kNoLobe
@@ -42,7 +45,10 @@ using MaterialModel = std::variant<LambertMaterial,
                                    ConductorMaterial,
                                    DielectricMaterial,
                                    ThinElementMaterial,
-                                   FluorescentMaterial>;
+                                   FluorescentMaterial,
+                                   MetalMaterial,
+                                   MetallicRoughnessMaterial,
+                                   PhongMaterial>;
 
 template <typename... A, typename... B>
 BsdfList<A..., B...> operator+(BsdfList<A...>, BsdfList<B...>);

@@ -49,10 +49,48 @@ TEST(AnalyticImage, DirectionalAlbedosAreTheTabulated) {
   EXPECT_NEAR(analytic::oren_nayar_albedo(0.5, 0), 0.674262, 1e-6);
   EXPECT_NEAR(analytic::oren_nayar_albedo(0.5, std::numbers::pi / 3), 0.791338, 1e-6);
   EXPECT_NEAR(analytic::oren_nayar_albedo(1. / 9, std::numbers::pi / 2), 1.014643, 1e-6);
-  EXPECT_NEAR(analytic::ggx_albedo(1, 1), 1 - std::numbers::ln2, 1e-6);
-  EXPECT_NEAR(analytic::ggx_albedo(0.5, 0.5), 0.6982, 1e-4);
-  EXPECT_NEAR(analytic::ggx_albedo(0.5, 0.05), 0.9126, 1e-4);
-  EXPECT_NEAR(analytic::ggx_albedo(0.1, 0.5), 0.9692, 1e-4);
+  const auto ggx_albedo = [](double alpha, double cosine) {
+    return analytic::directional_albedo(analytic::ggx_brdf(alpha), cosine);
+  };
+  EXPECT_NEAR(ggx_albedo(1, 1), 1 - std::numbers::ln2, 1e-6);
+  EXPECT_NEAR(ggx_albedo(0.5, 0.5), 0.6982, 1e-4);
+  EXPECT_NEAR(ggx_albedo(0.5, 0.05), 0.9126, 1e-4);
+  EXPECT_NEAR(ggx_albedo(0.1, 0.5), 0.9692, 1e-4);
+}
+
+// Computed once more by quadrature in another language.
+TEST(AnalyticImage, AlbedosOfMetallicAndRoughnessAreTheTabulated) {
+  const auto albedo = [](double base, double metallic, double roughness, double cosine) {
+    return analytic::directional_albedo(analytic::metallic_roughness_brdf(base, metallic, roughness), cosine);
+  };
+  EXPECT_NEAR(albedo(0.5, 0, 0.5, 0.1), 0.62617, 2e-5);
+  EXPECT_NEAR(albedo(0.5, 0, 0.5, 1), 0.51662, 2e-5);
+  EXPECT_NEAR(albedo(0.5, 1, 0.5, 0.3), 0.44685, 2e-5);
+  EXPECT_NEAR(albedo(0.5, 1, 0.5, 1), 0.45792, 2e-5);
+  EXPECT_NEAR(albedo(0.5, 0, 1, 0.5), 0.49634, 2e-5);
+  EXPECT_NEAR(albedo(1, 0, 0.32, 0.1), 1.25336, 5e-4) << "more light than arrives";
+}
+
+// Along the normal the lobe and the cosine are one power: k (n + 2) times the integral of cos^(n + 1), which
+// is k. Elsewhere by quadrature in another language.
+TEST(AnalyticImage, AlbedosOfPhongAreTheTabulated) {
+  const auto albedo = [](double exponent, double cosine) {
+    return analytic::directional_albedo(analytic::phong_brdf(1, exponent), cosine);
+  };
+  for (const double exponent : {0.0, 1.0, 10.0, 50.0}) EXPECT_NEAR(albedo(exponent, 1), 1, 1e-6);
+  EXPECT_NEAR(albedo(1, 0.8), 0.82712, 2e-5);
+  EXPECT_NEAR(albedo(1, 0.2), 0.42470, 2e-5);
+  EXPECT_NEAR(albedo(10, 0.5), 0.50474, 2e-5);
+  EXPECT_NEAR(albedo(50, 0.2), 0.20472, 2e-5);
+}
+
+// Of reflectance 1 a metal is the ggx without a Fresnel factor. Of reflectance 0 a smooth one would show
+// Schlick's weight (1 - cos)^5; at alpha 0.1 it is that but for the width of the lobe.
+TEST(AnalyticImage, AlbedosOfMetalsLieBetweenTheirLimits) {
+  for (const double cosine : {0.1, 0.5, 1.0})
+    EXPECT_NEAR(analytic::directional_albedo(analytic::metal_brdf(1, 0.4), cosine),
+                analytic::directional_albedo(analytic::ggx_brdf(0.4), cosine), 1e-12);
+  EXPECT_NEAR(analytic::directional_albedo(analytic::metal_brdf(0, 0.1), 0.5), std::pow(0.5, 5), 2e-3);
 }
 
 // The lamps of the emission scene: on both edges of a ground, 0 and 1.9 m from its middle.
