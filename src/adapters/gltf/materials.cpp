@@ -76,8 +76,10 @@ struct SurfaceWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {},
-      {{"E1", "glTF's metals follow Schlick's formula, not n and k"},
+      {"D1", "D3"},
+      {{"D2", "the spots of glTF fall with the square of the cosine's share, not with its smoothstep"},
+       {"D4", "glTF has no light with a measured intensity distribution"},
+       {"E1", "glTF's metals follow Schlick's formula, not n and k"},
        {"E2", "glTF has three colours"},
        {"E3", "glTF knows no polarisation"},
        {"E4", "glTF has no fluorescence"},

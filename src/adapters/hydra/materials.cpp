@@ -82,7 +82,7 @@ struct MaterialWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {},
+      {"D1", "D2", "D3", "D4"},
       {{"E1", "HydraCore3's metals have one n and k for all three colours, and its lights reflect nothing"},
        {"E2", "HydraCore3's mode of wavelengths has no spectra for colours"},
        {"E3", "HydraCore3 carries no polarisation"},

@@ -175,8 +175,9 @@ struct BsdfWriter {
 }  // namespace
 
 const BeyondOrbs& beyond_orbs() {
-  static const BeyondOrbs kLevels{{"E1", "E2", "E3"},
-                                  {{"E4", "Mitsuba has no fluorescence"},
+  static const BeyondOrbs kLevels{{"D1", "D2", "D3", "E1", "E2", "E3"},
+                                  {{"D4", "Mitsuba has no light with a measured intensity distribution"},
+                                   {"E4", "Mitsuba has no fluorescence"},
                                    {"E5", "Mitsuba has no thin films"},
                                    {"E6", "Mitsuba's dielectrics have one index for all wavelengths"},
                                    {"S7", "a plug-in is machine code for the built-in tracer"},

@@ -144,7 +144,7 @@ struct MaterialWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"E1", "E2", "E6"},
+      {"D1", "D2", "D3", "D4", "E1", "E2", "E6"},
       {{"E3", "pbrt carries no polarisation"},
        {"E4", "pbrt has no fluorescence"},
        {"E5", "pbrt has no thin films"},
