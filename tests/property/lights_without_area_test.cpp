@@ -86,15 +86,13 @@ TEST(Point, DoesNotLightItsBackThroughTheFloor) {
   expect_value(image_of(lit_floor({0, 0, 0}, point({0, -1, 0}, 5)), 4), 0, "below the floor");
 }
 
-// The camera and a mirror look straight at it.
+// The camera looks straight at it, and so does a mirror behind it.
 TEST(Point, IsSeenByNobody) {
   const View view{.fov_deg = 1};
-  for (const auto& light : {point({0, 0, 0}, 5), spot({0, 0, 0}, 90, 10, 20), parallel(90, 5)}) {
-    expect_value(image_of(scene_of(view, R"("lights": [)" + light + "]"), 16), 0, light);
-    const auto mirror = R"("materials": [{"name": "m", "type": "mirror", "reflectance": [1, 1, 1]}], )" +
-                        meshes({square({0, 0, -1}, {0, 0, 1}, 5, "m")});
+  const auto mirror = R"("materials": [{"name": "m", "type": "mirror", "reflectance": [1, 1, 1]}], )" +
+                      meshes({square({0, 0, -1}, {0, 0, 1}, 5, "m")});
+  for (const auto& light : {point({0, 0, 0}, 5), spot({0, 0, 0}, 90, 10, 20), parallel(90, 5)})
     expect_value(image_of(scene_of(view, mirror + R"(, "lights": [)" + light + "]"), 16), 0, light);
-  }
 }
 
 // cos a - cos b of 15 and 30 degrees; the table of smoothsteps is in docs/reference/scene-format.md.
@@ -105,7 +103,9 @@ TEST(Spot, FallsByASmoothstepOfTheCosine) {
     const Vec3d seen{std::tan(angle * kPi / 180), 0, 0};
     const auto image = image_of(lit_floor(seen, spot({0, 1, 0}, 0, 15, 30)), 1);
     const double expected = share * lit_by_point(seen, {0, 1, 0}, 1);
-    EXPECT_NEAR(mean_of(image, "G"), expected, 1e-4 * expected + 1e-6) << angle;
+    // At 28 degrees the image's width of 0.01 degrees is 0.6 % of the value, and 64 samples leave 1e-4 of
+    // that.
+    EXPECT_NEAR(mean_of(image, "G"), expected, 5e-4 * expected + 1e-6) << angle;
   }
 }
 
@@ -160,10 +160,10 @@ TEST(LightsWithoutArea, AreTheSameByEveryTechniqueAndChoice) {
   const double without_lamp = lit_by_point({}, {-1, 1, 0}, 3) +
                               mean_of(image_of(lit_floor({}, spot({0.5, 1, 0.2}, -20, 30, 50)), 1), "G") +
                               0.5 / kPi * 2 * std::cos(25 * kPi / 180);
-  const double expected = without_lamp + mean_of(image_of(lit_floor({}, lamp), 65536), "G");
+  const double expected = without_lamp + mean_of(image_of(lit_floor({}, lamp), 16384), "G");
   for (const auto direct : {DirectLight::Mis, DirectLight::Light, DirectLight::Bsdf})
     for (const auto selection : {LightSelection::Power, LightSelection::Bvh}) {
-      const auto image = image_of(text, 16384, {.direct_light = direct, .light_selection = selection});
+      const auto image = image_of(text, 4096, {.direct_light = direct, .light_selection = selection});
       EXPECT_NEAR(mean_of(image, "G"), expected, 4 * error_of_mean(image, 1) + 1e-3 * expected)
           << static_cast<int>(direct) << " " << static_cast<int>(selection);
     }
@@ -230,8 +230,9 @@ TEST(LightsWithoutArea, MakeTheCausticsOfSmallOrDistantLamps) {
   const std::string wide =
       R"({"type": "spot", "intensity": [5, 5, 5], "inner": 30, "outer": 40, "matrix": [{"translate": [0.2, 4, 0]}]})";
   expect_same_means(image_of(below_glass(wide), kSamples), lamp, "spot");
+  // At the ball its irradiance is 1e-3 above that at the floor.
   const auto distant =
-      R"({"type": "disk", "radius": 1, "radiance": [10000, 10000, 10000], "matrix": [{"translate": [0, 100, 0]}]})";
+      R"({"type": "disk", "radius": 2, "radiance": [1e6, 1e6, 1e6], "matrix": [{"translate": [0, 2000, 0]}]})";
   expect_same_means(image_of(below_glass(parallel(0, kPi)), kSamples),
                     image_of(below_glass(distant), kSamples), "directional");
 }
@@ -244,24 +245,35 @@ TEST(LightsWithoutArea, KeepTheirLightPaths) {
   EXPECT_FALSE(world.caustic_casters.empty());
 }
 
+std::string beside_mirror(const View& view, const std::string& light) {
+  return scene_of(
+      view,
+      R"("materials": [{"name": "m", "type": "lambert", "reflectance": [0.5, 0.5, 0.5]}, )"
+      R"({"name": "mirror", "type": "mirror", "reflectance": [0.8, 0.8, 0.8]}], )" +
+          meshes({square({0, 0, 0}, {0, 1, 0}, 5, "m"), square({2, 2, 0}, {-1, 0, 0}, 2, "mirror")}) +
+          R"(, "lights": [)" + light + "]",
+      "2");
+}
+
 // The mirror's image of the point lights the floor as a second one.
 TEST(LightsWithoutArea, ShineByFlatMirrors) {
-  const auto scene = [](const std::string& light) {
-    const View view{.position = "[0, 5, 0.001]"};
-    return scene_of(
-        view,
-        R"("materials": [{"name": "m", "type": "lambert", "reflectance": [0.5, 0.5, 0.5]}, )"
-        R"({"name": "mirror", "type": "mirror", "reflectance": [0.8, 0.8, 0.8]}], )" +
-            meshes({square({0, 0, 0}, {0, 1, 0}, 50, "m"), square({2, 2, 0}, {-1, 0, 0}, 2, "mirror")}) +
-            R"(, "lights": [)" + light + "]",
-        "2");
-  };
-  const double by_mirror = lit_by_point({}, {-1, 1, 0}, 3) + 0.8 * lit_by_point({}, {5, 1, 0}, 3);
-  expect_value(image_of(scene(point({-1, 1, 0}, 3)), 16), by_mirror, "point");
-  const auto by_light_paths = image_of(scene(point({-1, 1, 0}, 3)), 65536, {.mirrored_light = false});
-  EXPECT_NEAR(mean_of(by_light_paths, "G"), by_mirror, 5 * error_of_mean(by_light_paths, 1)) << "light paths";
-  EXPECT_GT(5 * error_of_mean(by_light_paths, 1), 0);
-  expect_value(image_of(scene(parallel(60, 3)), 16), 1.8 * 0.5 / kPi * 3 * 0.5, "directional");
+  const View view{.position = "[0, 5, 0.001]"};
+  expect_value(image_of(beside_mirror(view, point({-1, 1, 0}, 3)), 16),
+               lit_by_point({}, {-1, 1, 0}, 3) + 0.8 * lit_by_point({}, {5, 1, 0}, 3), "point");
+  expect_value(image_of(beside_mirror(view, parallel(60, 3)), 16), 1.8 * 0.5 / kPi * 3 * 0.5, "directional");
+}
+
+// Light paths bring what sampling by way of the mirror brings, where there is none.
+TEST(LightsWithoutArea, ShineByFlatMirrorsAlongLightPaths) {
+  const View view{.position = "[0, 5, 0.001]", .fov_deg = 40};
+  for (const auto& light : {point({-1, 1, 0}, 3), parallel(60, 3)}) {
+    const auto by_mirrors = image_of(beside_mirror(view, light), 256);
+    const auto by_light_paths = image_of(beside_mirror(view, light), 1024, {.mirrored_light = false});
+    expect_same_means(by_light_paths, by_mirrors, light);
+    const auto neither =
+        image_of(beside_mirror(view, light), 64, {.light_paths = false, .mirrored_light = false});
+    EXPECT_LT(mean_of(neither, "G"), 0.97 * mean_of(by_mirrors, "G")) << light;
+  }
 }
 
 TEST(LightsWithoutArea, LightAnIrradianceCacheAsTheyLightPaths) {
