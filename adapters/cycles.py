@@ -28,6 +28,7 @@ from mathutils import Matrix, Vector
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import cycles_devices  # noqa: E402
 import cycles_ies  # noqa: E402
+import cycles_lights  # noqa: E402
 import cycles_materials  # noqa: E402
 import cycles_meshes  # noqa: E402
 import cycles_render  # noqa: E402
@@ -41,6 +42,10 @@ LIGHT_SHAPES = {
     "disk": (("radius",), cycles_meshes.disk_light),
     "sphere": (("radius",), cycles_meshes.sphere_light),
 }
+
+
+# What a light without an area emits, and its numbers.
+POINT_LIGHTS = {"point": ("intensity", ()), "spot": ("intensity", ("inner", "outer")), "directional": ("irradiance", ())}
 
 
 class SceneError(ValueError):
@@ -104,7 +109,12 @@ def build(scene, folder, scale_option):
     shutter = checked_shutter(scene["camera"])
     ends = {m["name"]: read_end(m, meshes[m["name"]][0], folder) for m in scene.get("meshes", []) if "end" in m}
     moved = [moved_positions(i, meshes, ends) for i in scene.get("instances", [])] if shutter else [None] * len(instances)
-    lights = [checked_light(entry, index) for index, entry in enumerate(scene.get("lights", []))]
+    lights, points = [], []
+    for index, entry in enumerate(scene.get("lights", [])):
+        if entry.get("type") in POINT_LIGHTS:
+            points.append(checked_point_light(entry, index))
+        else:
+            lights.append(checked_light(entry, index))
     boxes = boxes_in_place(meshes, instances, lights)
     scale = chosen_scale(scale_option, descriptions, meshes, instances, lights, boxes)
     print(f"orbs: scale {scale:.9g}", flush=True)
@@ -117,6 +127,9 @@ def build(scene, folder, scale_option):
     add_instances(meshes, instances, materials, scale, moved, shutter)
     for index, light in enumerate(lights):
         add_light(light, f"light {index}", folder, scale)
+    for index, (light, matrix) in enumerate(points):
+        ies = load_ies(light["ies"], matrix, folder, scale) if "ies" in light else None
+        cycles_lights.add_light(light, f"point light {index}", world_matrix(matrix, scale), scale, ies)
     # Cycles' roulette would act on the factor 1 / ior^2 that a path carries in glass, which only adds noise.
     bpy.context.scene.cycles.min_light_bounces = 1024 if scales_radiance else 0
 
@@ -235,6 +248,16 @@ def checked_light(light, index):
         checked(light["ies"], f"{place}: ies", ["file"], ["matrix", "point_area"])
         checked_matrix(light["ies"], f"{place}: ies")
     return light, make_shape(*(light[size] for size in sizes)), checked_matrix(light, place)
+
+
+def checked_point_light(light, index):
+    place = f"light '{light.get('name', index)}'"
+    emission, numbers = POINT_LIGHTS[light["type"]]
+    checked(light, place, ["type", emission, *numbers], ["name", "matrix"] + (["ies"] if light["type"] == "point" else []))
+    if "ies" in light:
+        checked(light["ies"], f"{place}: ies", ["file"], ["matrix", "point_area"])
+        checked_matrix(light["ies"], f"{place}: ies")
+    return light, checked_matrix(light, place)
 
 
 def chosen_scale(option, descriptions, meshes, instances, lights, boxes):

@@ -18,14 +18,11 @@ SRGB_BYTES = [v / 255 / 12.92 if v / 255 <= 0.04045 else ((v / 255 + 0.055) / 1.
 FLOAT_FORMATS = (".exr", ".hdr", ".pfm")
 
 
-class Shader:
+class Nodes:
     """Builds a node tree; functions take sockets and plain numbers alike."""
 
-    def __init__(self, name):
-        self.material = bpy.data.materials.new(name)
-        self.material.use_nodes = True
-        self.tree = self.material.node_tree
-        self.tree.nodes.clear()
+    def __init__(self, tree):
+        self.tree = tree
 
     def node(self, kind, inputs=(), **properties):
         node = self.tree.nodes.new(kind)
@@ -57,6 +54,16 @@ class Shader:
     def affine(self, vector, factors, offset):
         """Returns the socket of dot(vector, factors) + offset."""
         return self.math("ADD", self.vector("DOT_PRODUCT", vector, factors), offset)
+
+
+class Shader(Nodes):
+    """The node tree of a new material."""
+
+    def __init__(self, name):
+        self.material = bpy.data.materials.new(name)
+        self.material.use_nodes = True
+        super().__init__(self.material.node_tree)
+        self.tree.nodes.clear()
 
     def finish(self, surface):
         self.node("ShaderNodeOutputMaterial", {"Surface": surface}, target="CYCLES")
@@ -250,6 +257,11 @@ def ies_factor(shader, name, grid, to_local, centre):
         to_receiver = shader.scaled(direction, length)
         receiver = shader.vector("ADD", geometry.outputs["Position"], to_receiver)
         direction = shader.vector("SUBTRACT", receiver, centre)
+    return profile_share(shader, name, grid, to_local, direction)
+
+
+def profile_share(shader, name, grid, to_local, direction):
+    """candela / max candela in a direction of the world."""
     x, y, z = (shader.vector("DOT_PRODUCT", direction, row) for row in to_local)
     across = shader.math("SQRT", shader.math("MULTIPLY_ADD", x, x, shader.math("MULTIPLY", z, z)))
     vertical = shader.math("ARCTAN2", across, shader.math("MULTIPLY", y, -1.0))  # 0 = local -Y

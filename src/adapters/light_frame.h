@@ -26,6 +26,11 @@ inline LightFrame light_frame(const Mat4& matrix) {
   return {transform_point(matrix, {}), u, v * hand, normalised(across) * hand, length(across)};
 }
 
+/// Where a light without an area shines to: the image of local -Y, unit. No surface could be sheared.
+inline Vec3d shining_direction(const Mat4& matrix) {
+  return normalised(transform_direction(matrix, {0, -1, 0}));
+}
+
 /// A matrix that takes x to `x`, y to `y`, z to the direction in which the light shines, and the origin to
 /// its centre.
 inline Mat4 flat_light_matrix(const LightFrame& frame, Vec3d x, Vec3d y) {

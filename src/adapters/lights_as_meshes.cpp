@@ -91,6 +91,8 @@ double area_m2(const scene::Mesh& mesh) {
 
 // The mean shadow of a convex body is a quarter of its surface (Cauchy), so a sphere that keeps its area
 // keeps the light that it sends, on average over all directions.
+LightMeshes meshes_of(const scene::WithoutArea auto&, const LightFrame&) { return {}; }
+
 LightMeshes meshes_of(const scene::SphereShape& sphere, const LightFrame& frame) {
   const scene::Mesh unit = scene::make_sphere({1, kSegments});
   const double r = sphere.radius_m * length(frame.u) * std::sqrt(4 * std::numbers::pi / area_m2(unit));
@@ -114,10 +116,12 @@ void add_instance(scene::Scene& scene, scene::Mesh mesh, int material, const Mat
 }
 
 void replace_lights(scene::Scene& scene) {
-  if (scene.lights.empty()) return;
+  const auto is_drawn = [](const scene::Light& light) { return has_area(light.shape); };
+  if (std::none_of(scene.lights.begin(), scene.lights.end(), is_drawn)) return;
   const int black = add_material(scene, {"casing of lights", scene::Lambert{}});
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const scene::Light& light = scene.lights[i];
+    if (!is_drawn(light)) continue;
     const auto name = scene::display_name("light", light.name, i);
     const LightFrame frame = light_frame(light.matrix);
     auto meshes = std::visit([&](const auto& shape) { return meshes_of(shape, frame); }, light.shape);
@@ -128,7 +132,7 @@ void replace_lights(scene::Scene& scene) {
     add_instance(scene, std::move(meshes.front), shining, translation(frame.centre));
     add_instance(scene, std::move(meshes.casing), black, translation(frame.centre));
   }
-  scene.lights.clear();
+  std::erase_if(scene.lights, is_drawn);
 }
 
 void replace_environment(scene::Scene& scene) {

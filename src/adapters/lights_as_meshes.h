@@ -12,7 +12,7 @@ namespace orbs::adapters {
 ///                  within 3e-4 radii of the round one.
 ///   an environment a box around all that is drawn, whose walls have its radiance: from inside, a closed
 ///                  surface that has one radiance everywhere looks the same whatever its shape and size.
-/// IES profiles and reflectances of lights are lost: refuse them before.
+/// Lights without an area stay. IES profiles and reflectances of lights are lost: refuse them before.
 scene::Scene lights_as_meshes(scene::Scene scene);
 
 }  // namespace orbs::adapters

@@ -1,6 +1,7 @@
 #include "analytic/direct_light.h"
 
 #include "analytic/form_factor.h"
+#include "analytic/light_without_area.h"
 #include "analytic/motion.h"
 
 #include <algorithm>
@@ -58,18 +59,9 @@ struct Intersect {
   }
 };
 
-// Between the rows of the table, as LM-63 profiles are read; black beyond its ends.
 double candela_factor(const registry::AnalyticSource& source, Vec3d point) {
   if (!source.candela_centre) return 1;
-  const auto direction = normalised(point - *source.candela_centre);
-  const double degrees = std::acos(std::clamp(-direction.y, -1.0, 1.0)) * 180 / std::numbers::pi;
-  const auto& rows = source.candela;
-  if (degrees < rows.front().first || degrees > rows.back().first) return 0;
-  const auto next =
-      std::find_if(rows.begin() + 1, rows.end() - 1, [&](const auto& row) { return degrees <= row.first; });
-  const auto& [low, at_low] = *(next - 1);
-  const auto& [high, at_high] = *next;
-  return at_low + (at_high - at_low) * (degrees - low) / (high - low);
+  return candela_towards(source.candela, normalised(point - *source.candela_centre));
 }
 
 // All surfaces in whose plane the point does not lie, relative to it: that leaves out its own.
@@ -90,7 +82,7 @@ registry::AnalyticShape shape_at(const registry::AnalyticShape& shape, double ti
 
 double lit(
     const registry::DirectLight& image, double reflectance, Vec3d point, Vec3d normal, double time = 0) {
-  double sum = image.environment;
+  double sum = image.environment + irradiance_of_lights(image, point, normal) / std::numbers::pi;
   const auto blockers = blockers_at(image, point, time);
   for (const auto& source : image.sources) {
     const auto seen = coverage(shape_at(source.shape, time), source.window, blockers, point, normal);

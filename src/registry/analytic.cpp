@@ -68,15 +68,41 @@ AnalyticSurface load_surface(ObjectReader in) {
   return surface;
 }
 
+std::vector<std::pair<double, double>> load_candela(ObjectReader& in) {
+  std::vector<std::pair<double, double>> candela;
+  for (const auto& row : in.number_rows("candela", 2)) candela.emplace_back(row[0], row[1]);
+  if (candela.size() < 2 || !std::is_sorted(candela.begin(), candela.end()))
+    in.fail("candela", "must hold at least two pairs of degrees and factor, by ascending degrees");
+  return candela;
+}
+
+AnalyticLight load_light(ObjectReader in) {
+  AnalyticLight light;
+  if (in.has("position")) {
+    light.position = in.vec3("position");
+    light.strength = in.number("intensity", json::kNotNegative);
+    if (in.has("cone")) {
+      light.direction = load_unit(in, "direction");
+      const auto cone = in.numbers("cone", 2, {0, 180});
+      if (cone[0] > cone[1]) in.fail("cone", "must hold the inner half angle before the outer one");
+      light.cone_deg = std::array{cone[0], cone[1]};
+    }
+    if (in.has("candela")) light.candela = load_candela(in);
+  } else {
+    light.direction = load_unit(in, "direction");
+    light.strength = in.number("irradiance", json::kNotNegative);
+  }
+  in.finish();
+  return light;
+}
+
 AnalyticSource load_source(ObjectReader in) {
   AnalyticSource source{load_shape(in), in.number_or("radiance", 0, json::kNotNegative), {}, {}, {}};
   load_end(in, source.shape);
   if (in.has("window")) source.window = load_corners(in, "window");
   if (in.has("candela")) {
     source.candela_centre = in.vec3("candela_centre");
-    for (const auto& row : in.number_rows("candela", 2)) source.candela.emplace_back(row[0], row[1]);
-    if (source.candela.size() < 2 || !std::is_sorted(source.candela.begin(), source.candela.end()))
-      in.fail("candela", "must hold at least two pairs of degrees and factor, by ascending degrees");
+    source.candela = load_candela(in);
   }
   in.finish();
   return source;
@@ -103,9 +129,12 @@ DirectLight load_direct_light(ObjectReader& in) {
   image.environment = in.number_or("environment", 0, json::kNotNegative);
   for (auto& entry : in.objects("surfaces")) image.surfaces.push_back(load_surface(std::move(entry)));
   for (auto& entry : in.objects_or_none("sources")) image.sources.push_back(load_source(std::move(entry)));
+  for (auto& entry : in.objects_or_none("lights")) image.lights.push_back(load_light(std::move(entry)));
   if (image.surfaces.empty()) in.fail("surfaces", "must hold at least one surface");
   image.has_shadows = in.boolean_or("shadows", false);
   load_shutter(in, image);
+  if (image.shutter && !image.lights.empty())
+    in.fail("lights", "have no closed form here where something moves: their shadows have hard edges");
   const auto is_polygon = [](const auto& one) { return std::holds_alternative<FlatPolygon>(one.shape); };
   if (image.has_shadows && !(std::all_of(image.surfaces.begin(), image.surfaces.end(), is_polygon) &&
                              std::all_of(image.sources.begin(), image.sources.end(), is_polygon)))

@@ -55,8 +55,21 @@ struct AnalyticSource {
   std::vector<std::pair<double, double>> candela;  // degrees from -y, factor on the radiance; linear between
 };
 
+/// A light without an area: at a place, with an intensity in W/sr, or from afar in a direction, with an
+/// irradiance on a plane across it.
+struct AnalyticLight {
+  std::optional<Vec3d> position;  // none: from afar
+  Vec3d direction{0, -1, 0};      // unit, in which it shines: all of it from afar, of a cone its axis
+  double strength = 0;            // W/sr or W/m^2
+  /// Half angles in degrees: all of the intensity within the first, none beyond the second, and between them
+  /// a smoothstep of the cosine.
+  std::optional<std::array<double, 2>> cone_deg{};
+  std::vector<std::pair<double, double>> candela{};  // as of AnalyticSource, about its position
+};
+
 /// Direct light on diffuse surfaces, L = rho / pi E. The case's promise: seen from a lit point, sources do
-/// not overlap. With shadows, surfaces hide sources, and all of both are polygons; without, nothing does.
+/// not overlap. With shadows, surfaces hide sources and lights, and all of both are polygons; without,
+/// nothing does.
 struct DirectLight {
   double environment = 0;
   bool has_shadows = false;
@@ -64,6 +77,7 @@ struct DirectLight {
       shutter{};  // opens and closes, if something moves; a pixel is the mean
   std::vector<AnalyticSurface> surfaces;
   std::vector<AnalyticSource> sources;
+  std::vector<AnalyticLight> lights{};
 };
 
 /// A plane between two media, or a stack of plates, that fills the image: radiance times what it reflects or

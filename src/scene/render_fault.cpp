@@ -78,7 +78,10 @@ std::string why_fault_changes_nothing(const Scene& scene, RenderFault fault) {
                  ? ""
                  : "it has no texture of 8 or 16 bits";
     case RenderFault::NoMisWeight:
-      return scene.lights.empty() ? "it has no light that light sampling finds" : "";
+      return std::any_of(scene.lights.begin(), scene.lights.end(),
+                         [](const auto& light) { return has_area(light.shape); })
+                 ? ""
+                 : "it has no light that both light sampling and BSDF sampling find";
     case RenderFault::EmittersOnly:
       return "";
     case RenderFault::OneBounceLess:

@@ -49,7 +49,8 @@ RenderTime choose_light(World& world, const RenderSettings& settings, LightChoic
   LightBvh bvh;
   std::vector<BoundingSphere> casters;
   if (open.selection) std::swap(bvh, world.light_bvh);
-  if (open.paths) std::swap(casters, world.caustic_casters);
+  // What a mirror or glass makes of a light without an area is found by nothing else.
+  if (open.paths && !world.has_lights_without_area) std::swap(casters, world.caustic_casters);
   if (open.connections) world.connects_light_vertices = false;
   bool connects = open.connections && supports_light_connections(world);
   const int questions = (bvh.empty() ? 0 : 2) + (casters.empty() ? 0 : 1) + (connects ? 1 : 0);

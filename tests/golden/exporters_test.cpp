@@ -36,7 +36,7 @@ const Format kMitsuba{"mitsuba", adapters::mitsuba_limits, adapters::write_mitsu
 const Format kPbrt{"pbrt", adapters::pbrt_limits, adapters::write_pbrt, tests::read_pbrt};
 
 // Its integrator naivept counts scatterings as ours.
-const Format kHydra{"hydra", adapters::hydra_limits,
+const Format kHydra{"hydra", [](const scene::Scene& scene) { return adapters::hydra_limits(scene); },
                     [](const scene::Scene& scene, const fs::path& file) {
                       adapters::write_hydra(scene, {{"naive", 1}}, file);
                     },
@@ -291,8 +291,8 @@ TEST(PbrtBands, AColourIsThreeStepsWithTheirEdgesBetweenWholeNanometres) {
 
 // A spectrum without luminance cannot be scaled to the light's: pbrt would divide by zero.
 TEST(PbrtBands, BlackLightIsAScaleOfZero) {
-  EXPECT_TRUE(adapters::pbrt::band_radiance({}).ends_with("\"float scale\" 0"));
-  EXPECT_EQ(adapters::pbrt::band_radiance({}).find("[360 0"), std::string::npos);
+  EXPECT_TRUE(adapters::pbrt::band_emission("L", {}).ends_with("\"float scale\" 0"));
+  EXPECT_EQ(adapters::pbrt::band_emission("L", {}).find("[360 0"), std::string::npos);
 }
 
 // The prism is lit by a square of 2 cm, 21 m away.

@@ -1,5 +1,6 @@
 #include "adapters/gltf/document.h"
 
+#include "base/nth.h"
 #include "json/writer.h"
 #include "scene/camera_frame.h"
 
@@ -17,11 +18,16 @@ using json::Writer;
 
 using Extensions = std::set<std::string>;
 
+constexpr const char* kLights = "KHR_lights_punctual";
+
 // A reader that does not know one of these draws another scene, and must refuse it. KHR_materials_volume
 // would be one of them, but Blender 3.4 reads it and does not say so.
 const Extensions& required_extensions() {
-  static const Extensions kRequired{"KHR_materials_emissive_strength", "KHR_materials_ior",
-                                    "KHR_materials_specular", "KHR_materials_transmission",
+  static const Extensions kRequired{kLights,
+                                    "KHR_materials_emissive_strength",
+                                    "KHR_materials_ior",
+                                    "KHR_materials_specular",
+                                    "KHR_materials_transmission",
                                     "KHR_texture_transform"};
   return kRequired;
 }
@@ -121,6 +127,26 @@ void write_camera_node(Writer& out, const scene::Camera& camera) {
   out.end_object();
 }
 
+void write_light_node(Writer& out, const PunctualLight& light, int index) {
+  out.begin_object().member("name", light.name);
+  write_placement(out, light.placement);
+  out.key("extensions").begin_object().key(kLights).begin_object().member("light", index);
+  out.end_object().end_object().end_object();
+}
+
+// KHR_lights_punctual has candela and lux, and a surface that emits has nits: watts in all three places give
+// the same image.
+void write_lights(Writer& out, const std::vector<PunctualLight>& lights, Extensions& used) {
+  if (lights.empty()) return;
+  used.insert(kLights);
+  out.key("extensions").begin_object().key(kLights).begin_object().key("lights").begin_array();
+  for (const PunctualLight& light : lights) {
+    out.begin_object().member("name", light.name).member("type", light.type);
+    out.member("color", light.colour).member("intensity", light.intensity).end_object();
+  }
+  out.end_array().end_object().end_object();
+}
+
 // Without zfar nothing is too far away.
 void write_camera(Writer& out, const Document& document) {
   const scene::Camera& camera = document.camera;
@@ -174,9 +200,11 @@ void write_extras(Writer& out, const Document& document) {
 }
 
 void write_scene(Writer& out, const Document& document) {
-  const int camera = static_cast<int>(document.nodes.size());
+  const int light_count = static_cast<int>(document.lights.size());
+  const int camera = static_cast<int>(document.nodes.size()) + light_count;
   out.key("nodes").begin_array();
   for (const Node& node : document.nodes) write_node(out, node);
+  for (int i = 0; i < light_count; ++i) write_light_node(out, nth(document.lights, i), i);
   write_camera_node(out, document.camera);
   out.end_array().member("scene", 0).key("scenes").begin_array().begin_object();
   out.member("name", document.name);
@@ -214,6 +242,7 @@ std::string json_text(const Document& document) {
   }
   write_textures(out, document.textures);
   write_buffer(out, document.buffer);
+  write_lights(out, document.lights, used);
   write_extension_names(out, used);
   return out.end_object().text();
 }

@@ -38,6 +38,15 @@ struct Node {
   int mesh = 0;
 };
 
+/// A light without an area, which shines along its node's -Z (KHR_lights_punctual).
+struct PunctualLight {
+  std::string name;
+  const char* type = "point";
+  scene::RgbColour colour{};  // the largest channel is 1
+  double intensity = 0;       // candela of a point, lux of light from afar
+  Placement placement{};
+};
+
 struct Texture {
   std::string name;
   int view = 0;  // that holds its PNG
@@ -54,7 +63,8 @@ struct Document {
   std::vector<Texture> textures{};
   std::vector<Material> materials{};
   std::vector<Mesh> meshes{};
-  std::vector<Node> nodes{};  // without that of the camera
+  std::vector<Node> nodes{};  // without those of the camera and the lights
+  std::vector<PunctualLight> lights{};
 };
 
 /// The JSON of the file. What glTF has no word for stands in "extras" of the scene, under "orbs": the size of

@@ -5,6 +5,7 @@
 #include "adapters/gltf/glb.h"
 #include "adapters/gltf/textures.h"
 #include "adapters/gltf/vertices.h"
+#include "adapters/light_frame.h"
 #include "adapters/lights_as_meshes.h"
 #include "adapters/material_meshes.h"
 #include "base/files.h"
@@ -85,6 +86,27 @@ void add_nodes(Document& document, const MaterialMesh& shown, int material) {
   }
 }
 
+// Only a turn and a place: its scale does nothing. It shines along -Z.
+Mat4 light_place(const scene::Light& light) {
+  const Vec3d z = -shining_direction(light.matrix);
+  const Vec3d x = normalised(cross(std::abs(z.x) < 0.5 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0}, z));
+  const Vec3d y = cross(z, x);
+  const Vec3d o = transform_point(light.matrix, {});
+  return {{x.x, y.x, z.x, o.x, x.y, y.y, z.y, o.y, x.z, y.z, z.z, o.z, 0, 0, 0, 1}};
+}
+
+void add_lights(Document& document, const std::vector<scene::Light>& lights) {
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const scene::Light& light = lights[i];
+    const double largest = largest_magnitude(light.radiance);
+    document.lights.push_back({.name = scene::display_name("light", light.name, i),
+                               .type = type_name(light.shape),
+                               .colour = largest > 0 ? light.radiance / largest : scene::RgbColour{},
+                               .intensity = largest,
+                               .placement = gltf::placement_of(light_place(light)).value()});
+  }
+}
+
 Document document_of(const scene::Scene& scene) {
   scene::Scene shown = lights_as_meshes(scene);
   const auto transforms = gltf::take_texture_transforms(shown);
@@ -93,6 +115,7 @@ Document document_of(const scene::Scene& scene) {
   const auto materials = add_materials(document, shown, transforms);
   for (const MaterialMesh& mesh : material_meshes(shown))
     add_nodes(document, mesh, materials.at(mesh.material));
+  add_lights(document, shown.lights);
   return document;
 }
 

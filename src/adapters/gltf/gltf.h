@@ -9,8 +9,9 @@
 
 namespace orbs::adapters {
 
-/// Writes the scene as glTF 2.0, all of it in one file (.glb). Instances share meshes; lights and environment
-/// become meshes that shine (lights_as_meshes.h); samples and seed come from the reader's command line, and
+/// Writes the scene as glTF 2.0, all of it in one file (.glb). Instances share meshes; lights with an
+/// area and the environment become meshes that shine (lights_as_meshes.h), points and directional light those
+/// of KHR_lights_punctual; samples and seed come from the reader's command line, and
 /// what glTF has no word for stands in the extras of the scene (gltf/document.h). Lower the scene first;
 /// gltf_limits must be empty. InputError when a file cannot be read or written.
 void write_gltf(const scene::Scene& scene, const std::filesystem::path& file);

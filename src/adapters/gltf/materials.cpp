@@ -76,10 +76,12 @@ struct SurfaceWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {},
+      {"D1", "D3"},
       {{"B1", "glTF's metals are masked by the separable term"},
        {"B7", "the exporter to glTF does not write it yet"},
        {"B8", "glTF has no Phong reflection"},
+       {"D2", "the spots of glTF fall with the square of the cosine's share, not with its smoothstep"},
+       {"D4", "glTF has no light with a measured intensity distribution"},
        {"E1", "glTF's metals follow Schlick's formula, not n and k"},
        {"E2", "glTF has three colours"},
        {"E3", "glTF knows no polarisation"},

@@ -12,6 +12,7 @@
 #include "base/files.h"
 #include "base/nth.h"
 
+#include <algorithm>
 #include <map>
 
 #include <fmt/format.h>
@@ -111,10 +112,18 @@ class Writer {
   void add_light(const scene::Light& light, int position, int material) {
     const auto ies_file = fmt::format("{}-light{}.ies", stem_, position);
     if (light.ies) write_file(folder_ / ies_file, hydra::ies_grid(*light.ies->profile).text);
-    lights_ += hydra::light_node(light, position, ies_file);
+    lights_ += hydra::light_node(light, position, ies_file, bright_lights());
     add_light_instance(position, light.matrix);
+    if (!has_area(light.shape)) return;
     add_mesh_instance(add_mesh(hydra::light_mesh(light), material), -1, light.matrix,
                       fmt::format(" linst_id=\"{}\"", position));
+  }
+
+  int bright_lights() const {
+    const auto shines = [](scene::RgbColour emission) { return emission != scene::RgbColour{}; };
+    const auto count = std::count_if(scene_.lights.begin(), scene_.lights.end(),
+                                     [&](const auto& light) { return shines(light.radiance); });
+    return static_cast<int>(count) + (shines(scene_.environment) ? 1 : 0);
   }
 
   void add_light_instance(int light, const Mat4& matrix) {
@@ -146,7 +155,8 @@ Exporter hydra_exporter() {
   return {.format = "hydra",
           .scene_file = "hydra.xml",
           .settings = {{"naive", true}},
-          .limits = [](const scene::Scene& scene, const SceneSettings&) { return hydra_limits(scene); },
+          .limits = [](const scene::Scene& scene,
+                       const SceneSettings& settings) { return hydra_limits(scene, settings); },
           .write = [](const scene::Scene& scene, const SceneSettings& settings,
                       const std::filesystem::path& file) { write_hydra(scene, settings, file); },
           .placeholders =
@@ -156,7 +166,16 @@ Exporter hydra_exporter() {
               }};
 }
 
-std::vector<std::string> hydra_limits(const scene::Scene& scene) {
+namespace {
+
+bool is_naive(const SceneSettings& settings) {
+  const auto naive = settings.find("naive");
+  return naive != settings.end() && naive->second != 0;
+}
+
+}  // namespace
+
+std::vector<std::string> hydra_limits(const scene::Scene& scene, const SceneSettings& settings) {
   constexpr const char* kName = "HydraCore3";
   std::vector<std::string> reasons = beyond_orbs_limits(scene, kName, hydra::beyond_orbs());
   const auto note = [&](const std::string& reason) {
@@ -166,6 +185,10 @@ std::vector<std::string> hydra_limits(const scene::Scene& scene) {
     note(hydra::material_limit(material_at(scene, index)));
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     note(hydra::light_limit(scene.lights[i], scene::display_name("light", scene.lights[i].name, i)));
+  const bool has_points = std::any_of(scene.lights.begin(), scene.lights.end(),
+                                      [](const auto& light) { return !has_area(light.shape); });
+  if (is_naive(settings) && has_points)
+    reasons.emplace_back("a light has no area, and naive paths find what they meet alone");
   if (scene.trace_depth >= scene::kUnlimitedDepth)
     reasons.emplace_back(
         "the trace depth is unlimited: HydraCore3 has no Russian roulette to end such paths");

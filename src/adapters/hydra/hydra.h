@@ -37,6 +37,6 @@ Exporter hydra_exporter();
 
 /// One reason for each thing in the scene that HydraCore3 cannot draw as ORB.S means it; empty when there is
 /// none. Reads only the scene, no file.
-std::vector<std::string> hydra_limits(const scene::Scene& scene);
+std::vector<std::string> hydra_limits(const scene::Scene& scene, const SceneSettings& settings = {});
 
 }  // namespace orbs::adapters

@@ -16,6 +16,7 @@ namespace {
 constexpr const char* kName = "HydraCore3";
 
 // The halves of a rectangle have each other's names there.
+// Of a spot, the full angles of its cones.
 struct SizeWriter {
   std::string operator()(const scene::RectShape& rect) const {
     return fmt::format("<size half_length=\"{}\" half_width=\"{}\"/>", rect.half_width_m, rect.half_length_m);
@@ -26,6 +27,28 @@ struct SizeWriter {
   std::string operator()(const scene::SphereShape& sphere) const {
     return fmt::format("<size radius=\"{}\"/>", sphere.radius_m);
   }
+  std::string operator()(const scene::PointShape&) const { return ""; }
+  std::string operator()(const scene::SpotShape& spot) const {
+    return value_node("falloff_angle", 2 * spot.outer_deg) + value_node("falloff_angle2", 2 * spot.inner_deg);
+  }
+  std::string operator()(const scene::DirectionalShape&) const { return ""; }
+};
+
+// Of a shape that is an area, its word is enough.
+struct TypeWriter {
+  std::string operator()(const scene::PointShape&) const {
+    return R"(type="point" shape="point" distribution="uniform")";
+  }
+  std::string operator()(const scene::SpotShape&) const {
+    return R"(type="point" shape="point" distribution="spot")";
+  }
+  std::string operator()(const scene::DirectionalShape&) const {
+    return R"(type="directional")";
+  }
+  template <typename Area>
+  std::string operator()(const Area&) const {
+    return fmt::format(R"(type="area" shape="{}")", Area::kType);
+  }
 };
 
 std::string radiance_node(scene::RgbColour radiance, double multiplier) {
@@ -35,7 +58,7 @@ std::string radiance_node(scene::RgbColour radiance, double multiplier) {
 
 // It takes the area as the product of the lengths of two columns, and the third for the direction.
 bool is_sheared(const scene::Light& light) {
-  if (std::holds_alternative<scene::SphereShape>(light.shape)) return false;
+  if (std::holds_alternative<scene::SphereShape>(light.shape) || !has_area(light.shape)) return false;
   constexpr double kRounding = 1e-6;
   const Vec3d x = transform_direction(light.matrix, {1, 0, 0});
   const Vec3d y = transform_direction(light.matrix, {0, 1, 0});
@@ -47,6 +70,7 @@ bool is_sheared(const scene::Light& light) {
 }
 
 struct MeshOfShape {
+  scene::Mesh operator()(const scene::WithoutArea auto&) const { return {}; }
   scene::Mesh operator()(const scene::RectShape& rect) const {
     scene::Mesh mesh;
     for (const double z : {-1.0, 1.0})
@@ -88,16 +112,20 @@ std::string light_limit(const scene::Light& light, const std::string& display_na
   return "";
 }
 
-std::string light_node(const scene::Light& light, int position, const std::string& ies_file) {
+std::string light_node(const scene::Light& light,
+                       int position,
+                       const std::string& ies_file,
+                       int bright_lights) {
   std::string inner = text_of_shape(light, kName, SizeWriter{});
-  double multiplier = 1;
+  // The density of directional light leaves out the choice among lights.
+  double multiplier = std::holds_alternative<scene::DirectionalShape>(light.shape) ? bright_lights : 1;
   if (light.ies) {
     multiplier = ies_grid(*light.ies->profile).peak;
     inner += fmt::format("<ies loc=\"{}\" matrix=\"{}\" point_area=\"{}\"/>", ies_file,
                          numbers(ies_matrix(*light.ies, light.matrix)), light.ies->point_area ? 1 : 0);
   }
-  return xml_comment(light.name) + fmt::format("<light id=\"{}\" type=\"area\" shape=\"{}\">{}{}</light>\n",
-                                               position, type_name(light.shape), inner,
+  return xml_comment(light.name) + fmt::format("<light id=\"{}\" {}>{}{}</light>\n", position,
+                                               std::visit(TypeWriter{}, light.shape), inner,
                                                radiance_node(light.radiance, multiplier));
 }
 

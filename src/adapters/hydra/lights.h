@@ -6,14 +6,19 @@
 
 /// A light of HydraCore3 is three things: an entry of lights_lib, an instance of it, and a mesh of its own
 /// shape with an instance that names both. Without the mesh it is invisible, and the integrator mispt loses
-/// the light that sampling surfaces would find; with a mesh that does not name it, it counts twice.
+/// the light that sampling surfaces would find; with a mesh that does not name it, it counts twice. A light
+/// without an area has no mesh.
 namespace orbs::adapters::hydra {
 
 /// Why the light cannot be written, "" when it can.
 std::string light_limit(const scene::Light& light, const std::string& display_name);
 
-/// The entry of lights_lib at that position; `ies_file` is the name of the file that holds its profile.
-std::string light_node(const scene::Light& light, int position, const std::string& ies_file);
+/// The entry of lights_lib at that position; `ies_file` is the name of the file that holds its profile, and
+/// `bright_lights` the number of lights that are not black, the environment among them.
+std::string light_node(const scene::Light& light,
+                       int position,
+                       const std::string& ies_file,
+                       int bright_lights);
 
 /// The constant environment as an entry of lights_lib, which must be the last: materials count lights without
 /// it.

@@ -30,9 +30,11 @@ std::string Colours::surface(const char* name,
 }
 
 // Mitsuba would take a single number for a multiple of D65.
-std::string Colours::radiance(scene::RgbColour colour, const std::optional<scene::SpectrumUse>& use) const {
-  if (!is_spectral) return rgb("radiance", colour);
-  return list("radiance", light_samples(scene, colour, use), kEmitterUnit);
+std::string Colours::emitted(const char* name,
+                             scene::RgbColour colour,
+                             const std::optional<scene::SpectrumUse>& use) const {
+  if (!is_spectral) return rgb(name, colour);
+  return list(name, light_samples(scene, colour, use), kEmitterUnit);
 }
 
 std::string spectrum(const char* name, const Samples& samples) {

@@ -21,7 +21,13 @@ struct Colours {
                       scene::RgbColour colour,
                       const std::optional<scene::SpectrumUse>& use = {}) const;
   /// The radiance of an emitter.
-  std::string radiance(scene::RgbColour colour, const std::optional<scene::SpectrumUse>& use) const;
+  std::string radiance(scene::RgbColour colour, const std::optional<scene::SpectrumUse>& use) const {
+    return emitted("radiance", colour, use);
+  }
+  /// The element `name` of what an emitter emits.
+  std::string emitted(const char* name,
+                      scene::RgbColour colour,
+                      const std::optional<scene::SpectrumUse>& use) const;
 };
 
 /// `<spectrum>` of these values, where Mitsuba takes them as they are (not in an emitter).

@@ -19,7 +19,9 @@ std::string flat_shape(const scene::Light& light, const char* type, double size_
                      to_world(flat_light_matrix(frame, frame.u * size_x, frame.v * size_z)));
 }
 
+// Of lights without an area the whole emitter.
 struct ShapeWriter {
+  const Colours& colours;
   const scene::Light& light;
 
   std::string operator()(const scene::RectShape& rect) const {
@@ -37,6 +39,33 @@ struct ShapeWriter {
         "name=\"radius\" value=\"{}\"/>",
         centre.x, centre.y, centre.z, radius_m);
   }
+  std::string operator()(const scene::PointShape&) const {
+    return fmt::format("<emitter type=\"point\">{}{}</emitter>",
+                       vector_element("point", "position", transform_point(light.matrix, {})),
+                       colours.emitted("intensity", light.radiance, light.spectrum));
+  }
+  // Mitsuba's falls linearly with the angle between its two, so that light_limit lets hard edges through
+  // only. It shines along +Z.
+  std::string operator()(const scene::SpotShape& spot) const {
+    const Vec3d axis = shining_direction(light.matrix);
+    const Vec3d aside = std::abs(axis.x) < 0.5 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
+    const Vec3d x = normalised(cross(axis, aside));
+    const LightFrame frame{transform_point(light.matrix, {}), {}, {}, axis};
+    return fmt::format(
+        "<emitter type=\"spot\">{}<float name=\"cutoff_angle\" value=\"{}\"/><float name=\"beam_width\" "
+        "value=\"{}\"/>{}</emitter>",
+        to_world(flat_light_matrix(frame, x, cross(axis, x))), spot.outer_deg, spot.inner_deg,
+        colours.emitted("intensity", light.radiance, light.spectrum));
+  }
+  std::string operator()(const scene::DirectionalShape&) const {
+    return fmt::format("<emitter type=\"directional\">{}{}</emitter>",
+                       vector_element("vector", "direction", shining_direction(light.matrix)),
+                       colours.emitted("irradiance", light.radiance, light.spectrum));
+  }
+
+  static std::string vector_element(const char* type, const char* name, Vec3d v) {
+    return fmt::format("<{} name=\"{}\" x=\"{}\" y=\"{}\" z=\"{}\"/>", type, name, v.x, v.y, v.z);
+  }
 };
 
 }  // namespace
@@ -49,13 +78,17 @@ std::string area_emitter(const Colours& colours,
 
 std::string light_limit(const scene::Light& light, const std::string& display_name) {
   if (auto reason = limit_of_shape<ShapeWriter>(light, display_name, kName); !reason.empty()) return reason;
+  if (const auto* spot = std::get_if<scene::SpotShape>(&light.shape))
+    if (spot->inner_deg < spot->outer_deg)
+      return display_name + " has a soft edge: Mitsuba's spots fall linearly with the angle";
   return adapters::light_limit(light, display_name, kName,
                                "has no light with a measured intensity distribution");
 }
 
 std::string light_text(const Colours& colours, const scene::Light& light) {
-  return fmt::format("{}{}<bsdf type=\"diffuse\">{}</bsdf>{}</shape>\n", xml_comment(light.name),
-                     text_of_shape(light, kName, ShapeWriter{light}),
+  const std::string shape = text_of_shape(light, kName, ShapeWriter{colours, light});
+  if (!has_area(light.shape)) return xml_comment(light.name) + shape + "\n";
+  return fmt::format("{}{}<bsdf type=\"diffuse\">{}</bsdf>{}</shape>\n", xml_comment(light.name), shape,
                      colours.surface("reflectance", light.reflectance),
                      area_emitter(colours, light.radiance, light.spectrum));
 }

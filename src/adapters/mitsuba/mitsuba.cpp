@@ -43,6 +43,7 @@ std::vector<double> depths_m(const scene::Scene& scene, const std::vector<Materi
       depths.push_back(depth);
     }
   for (const scene::Light& light : scene.lights) {
+    if (!has_area(light.shape)) continue;
     const double scale = length(transform_direction(light.matrix, {1, 0, 0})) +
                          length(transform_direction(light.matrix, {0, 0, 1}));
     const Vec3d half = half_size(light.shape);

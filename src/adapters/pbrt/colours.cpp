@@ -66,10 +66,10 @@ std::string band_spectrum(const char* name, scene::RgbColour colour) {
 
 // pbrt divides by the luminance of the spectrum, which black has not, and its spectral film multiplies by
 // that of a flat one.
-std::string band_radiance(scene::RgbColour radiance) {
-  if (radiance == scene::RgbColour{})
-    return fmt::format("{} \"float scale\" 0", band_spectrum("L", {1, 1, 1}));
-  return fmt::format("{} \"float scale\" {}", band_spectrum("L", radiance), luminance(radiance));
+std::string band_emission(const char* name, scene::RgbColour emission) {
+  if (emission == scene::RgbColour{})
+    return fmt::format("{} \"float scale\" 0", band_spectrum(name, {1, 1, 1}));
+  return fmt::format("{} \"float scale\" {}", band_spectrum(name, emission), luminance(emission));
 }
 
 std::string band_texture(const std::string& name, const std::array<std::string, 3>& images) {
@@ -88,13 +88,15 @@ std::string Colours::surface(const char* name,
                      : band_spectrum(name, colour);
 }
 
-std::string Colours::radiance(scene::RgbColour colour, const std::optional<scene::SpectrumUse>& use) const {
-  if (!is_spectral) return band_radiance(colour);
+std::string Colours::emitted(const char* name,
+                             scene::RgbColour colour,
+                             const std::optional<scene::SpectrumUse>& use) const {
+  if (!is_spectral) return band_emission(name, colour);
   const Samples light = light_samples(scene, colour, use);
   const double luminance = luminance_of(light);
   // pbrt divides by the luminance of the spectrum.
-  return luminance == 0 ? band_radiance({})
-                        : fmt::format("{} \"float scale\" {}", spectrum("L", light), luminance);
+  return luminance == 0 ? band_emission(name, {})
+                        : fmt::format("{} \"float scale\" {}", spectrum(name, light), luminance);
 }
 
 std::string spectrum(const char* name, const Samples& samples) {

@@ -27,8 +27,8 @@ std::array<std::string, 3> band_channels();
 /// `"spectrum name" [...]`: the colour as a spectrum of three steps.
 std::string band_spectrum(const char* name, scene::RgbColour colour);
 
-/// The emitted radiance of that colour: `"spectrum L" [...] "float scale" s`.
-std::string band_radiance(scene::RgbColour radiance);
+/// What a light of that colour emits: `"spectrum name" [...] "float scale" s`.
+std::string band_emission(const char* name, scene::RgbColour emission);
 
 /// The spectrum texture `name`, the sum of three float images times their bands. `images` holds the names of
 /// the float textures of R, G and B.
@@ -45,7 +45,13 @@ struct Colours {
                       scene::RgbColour colour,
                       const std::optional<scene::SpectrumUse>& use) const;
   /// The radiance of a light. pbrt scales every spectrum to luminance 1, so the luminance is given beside it.
-  std::string radiance(scene::RgbColour colour, const std::optional<scene::SpectrumUse>& use) const;
+  std::string radiance(scene::RgbColour colour, const std::optional<scene::SpectrumUse>& use) const {
+    return emitted("L", colour, use);
+  }
+  /// The same as the parameter `name`: intensity or irradiance.
+  std::string emitted(const char* name,
+                      scene::RgbColour colour,
+                      const std::optional<scene::SpectrumUse>& use) const;
 };
 
 /// `"spectrum name" [...]`.

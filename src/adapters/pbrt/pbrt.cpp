@@ -7,6 +7,7 @@
 #include "adapters/pbrt/directives.h"
 #include "adapters/pbrt/lights.h"
 #include "adapters/pbrt/materials.h"
+#include "adapters/pbrt/profile_image.h"
 #include "adapters/pbrt/small_light.h"
 #include "adapters/tinted_image.h"
 #include "base/files.h"
@@ -49,8 +50,9 @@ std::string frame_text(const scene::Scene& scene, const std::vector<MaterialMesh
     for (const Mat4& place : shown.places)
       for (const Vec3f p : shown.mesh.positions) meet(transform_point(place, cast<double>(p)), 0);
   for (const scene::Light& light : scene.lights)
-    meet(transform_point(light.matrix, {}),
-         length(transform_direction(light.matrix, half_size(light.shape))));
+    if (has_area(light.shape))
+      meet(transform_point(light.matrix, {}),
+           length(transform_direction(light.matrix, half_size(light.shape))));
   return length(scene.camera.position_m) > 16 * reach_m ? "Option \"rendercoordsys\" \"world\"\n" : "";
 }
 
@@ -94,11 +96,19 @@ class Writer {
       text += pbrt::material_text(colours_, index, stem_);
     }
     for (std::size_t i = 0; i < meshes.size(); ++i) text += mesh_text(meshes[i], i);
-    for (const scene::Light& light : scene_.lights) text += pbrt::light_text(colours_, light);
+    for (std::size_t i = 0; i < scene_.lights.size(); ++i) text += light_text(scene_.lights[i], i);
     return text;
   }
 
  private:
+  std::string light_text(const scene::Light& light, std::size_t index) const {
+    const auto profile = fmt::format("{}-light{}.exr", stem_, index);
+    if (light.ies)
+      image::write_exr(pbrt::profile_image(*light.ies->profile), folder_ / profile, image::Precision::Float,
+                       image::Compression::None);
+    return pbrt::light_text(colours_, light, profile);
+  }
+
   // pbrt has no emitters in instances. Vertex normals decide which side is inside, as in ORB.S.
   std::string mesh_text(const MaterialMesh& shown, std::size_t index) const {
     const std::string name = fmt::format("mesh{}", index);

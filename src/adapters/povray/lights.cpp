@@ -4,6 +4,7 @@
 #include "adapters/light_frame.h"
 #include "adapters/povray/sdl.h"
 #include "adapters/povray/settings.h"
+#include "scene/geometry/world_bounds.h"
 #include "scene/lights/placement.h"
 #include "scene/scene.h"
 
@@ -54,6 +55,9 @@ constexpr const char* kName = "POV-Ray";
 // POV-Ray attenuates by 2 / (1 + (d/f)^2), f = fade_distance. For f far below all distances that is 2 f^2 /
 // d^2.
 constexpr double kFadePerSize = 1e-5;
+// Of a light without a size. The scene is a metre large at least (enlarged), and 0.1 m away the share (f/d)^2
+// that is missing is 1e-6.
+constexpr double kPointFade_m = 1e-4;
 // Between the bright side and the black one behind it, in units of the light's local size.
 constexpr double kGap = 1e-4;
 // POV-Ray adds 0.001 to both coordinates of a circular grid, as shares of its axes, before it bends the grid
@@ -173,6 +177,33 @@ std::string flat_body(const scene::Light& light, const std::string& shape, doubl
                      bright_finish(light), matrix(light.matrix), kGap * size_m, kBlack);
 }
 
+// Photons are shot at what reflects and refracts.
+std::string photons_text(const PovraySettings& settings) {
+  return settings.photons > 0 ? "\n  photons { reflection on refraction on }" : "";
+}
+
+// A point of intensity I has to give rho I cos / (pi d^2), and of colour C it gives 2 rho C f^2 cos / d^2.
+std::string point_source(const scene::Light& light, const std::string& cone, const PovraySettings& settings) {
+  const double square = kPointFade_m * kPointFade_m;
+  return fmt::format("light_source {{ {}, {}{}\n  fade_distance {} fade_power 2{}\n}}\n",
+                     vector(transform_point(light.matrix, {})),
+                     colour(light.radiance * (1 / (2 * std::numbers::pi * square))), cone, kPointFade_m,
+                     photons_text(settings));
+}
+
+// It shines from a plane through its place on, which is put before everything.
+std::string parallel_source(const scene::Scene& scene,
+                            const scene::Light& light,
+                            const PovraySettings& settings) {
+  const Vec3d eye = scene.camera.position_m;
+  const auto drawn = rough_bounds(scene);
+  const auto bounds = drawn ? joined(*drawn, {eye, eye}) : scene::WorldBounds{eye, eye};
+  const Vec3d middle = (bounds.low + bounds.high) * 0.5;
+  const Vec3d place = middle - shining_direction(light.matrix) * (2 * radius_of(bounds) + 1);
+  return fmt::format("light_source {{ {}, {}\n  parallel point_at {}{}\n}}\n", vector(place),
+                     colour(light.radiance * (1 / std::numbers::pi)), vector(middle), photons_text(settings));
+}
+
 struct LightWriter {
   const scene::Scene& scene;
   const scene::Light& light;
@@ -196,6 +227,18 @@ struct LightWriter {
                        bright_finish(light), matrix(light.matrix), sphere.radius_m * (1 - kGap), kBlack,
                        matrix(light.matrix));
   }
+  std::string operator()(const scene::PointShape&) const { return point_source(light, "", settings); }
+  // Its smoothstep of the cosine is ours; the tightness would be a power of the cosine.
+  std::string operator()(const scene::SpotShape& spot) const {
+    const Vec3d target = transform_point(light.matrix, {}) + shining_direction(light.matrix);
+    return point_source(light,
+                        fmt::format("\n  spotlight radius {} falloff {} tightness 0 point_at {}",
+                                    spot.inner_deg, spot.outer_deg, vector(target)),
+                        settings);
+  }
+  std::string operator()(const scene::DirectionalShape&) const {
+    return parallel_source(scene, light, settings);
+  }
 };
 
 }  // namespace
@@ -206,7 +249,7 @@ std::string light_text(const scene::Scene& scene, const scene::Light& light, con
 
 std::string light_limit(const scene::Light& light, const std::string& display_name) {
   if (auto reason = limit_of_shape<LightWriter>(light, display_name, kName); !reason.empty()) return reason;
-  if (light.ies)
+  if (light.ies && has_area(light.shape))
     return display_name +
            " has an IES profile: POV-Ray's light sources have no measured intensity distribution";
   if (!std::holds_alternative<scene::SphereShape>(light.shape) || scene::uniform_scale(light.matrix))

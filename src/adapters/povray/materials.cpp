@@ -159,10 +159,11 @@ std::string texture_copy(const scene::Scene& scene, int index, const std::string
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"E6", "S1", "S2", "S3", "S4"},
+      {"D1", "D2", "D3", "E6", "S1", "S2", "S3", "S4"},
       {{"B1", "POV-Ray has glossy highlights of light sources, no glossy reflection"},
        {"B7", "POV-Ray has no microfacets"},
        {"B8", "POV-Ray's phong is a highlight of light sources alone, without the cosine"},
+       {"D4", "POV-Ray's light sources have no measured intensity distribution"},
        {"E1", "POV-Ray has no indices of metals, and no glossy reflection or refraction"},
        {"E2", "POV-Ray renders in three colours"},
        {"E3", "POV-Ray carries no polarisation"},

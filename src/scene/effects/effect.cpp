@@ -32,6 +32,8 @@ std::string_view effect_name(Effect effect) {
       return "path classes";
     case Effect::Motion:
       return "motion";
+    case Effect::LightWithoutArea:
+      return "light without area";
   }
   return "";
 }

@@ -18,9 +18,10 @@ enum class Effect {
   AnalyticShape,    // a surface by its formula
   Texture,
   Ies,
-  Instancing,   // one mesh in several places
-  PathClasses,  // a layer for each class of light path
-  Motion,       // something moves while the shutter is open
+  Instancing,        // one mesh in several places
+  PathClasses,       // a layer for each class of light path
+  Motion,            // something moves while the shutter is open
+  LightWithoutArea,  // a point, a spot, a direction
 };
 
 /// The word for it, as messages and files write it: "thin film".

@@ -79,6 +79,8 @@ void add_lights(const Scene& scene, bool has_colour, SceneEffects& found) {
     const auto name = display_name("light", light.name, i);
     if (light.spectrum) note(found, verdict_on_light(scene, *light.spectrum, has_colour), name);
     if (light.ies) note(found, {Effect::Ies, true, "has an IES profile"}, name);
+    if (!has_area(light.shape))
+      note(found, {Effect::LightWithoutArea, true, "has no area: nothing sees it and no ray meets it"}, name);
     if (light.reflectance != RgbColour{})
       note(found, {Effect::ReflectingLight, true, "reflects light as well as emitting it"}, name);
   }
@@ -196,6 +198,7 @@ LightTransport transport_for(Effect effect) {
     case Effect::Instancing:
     case Effect::PathClasses:
     case Effect::Motion:
+    case Effect::LightWithoutArea:
       return LightTransport::Rgb;
   }
   return LightTransport::Rgb;

@@ -41,6 +41,7 @@ const char* level_for(Effect effect) {
     case Effect::Instancing:
     case Effect::PathClasses:
     case Effect::Motion:
+    case Effect::LightWithoutArea:
       return "";
   }
   return "";
@@ -129,8 +130,13 @@ std::vector<CalledFeature> features_of_lights(const Scene& scene) {
     };
     std::visit([&](const auto& shape) { note(shape.kRequirement, std::string("is ") + shape.kWhat); },
                light.shape);
-    if (!is_translation(light.matrix)) note("L3", "is turned or scaled");
-    if (light.ies) note("L4", "has an IES profile");
+    if (has_area(light.shape) && !is_translation(light.matrix)) note("L3", "is turned or scaled");
+    std::visit(
+        [&](const auto& shape) {
+          if constexpr (requires { shape.kProfileRequirement; })
+            if (light.ies) note(shape.kProfileRequirement, "has an IES profile");
+        },
+        light.shape);
   }
   return features;
 }

@@ -88,7 +88,11 @@ WorldBounds bounds_of(const Sphere& sphere) {
   return {sphere.centre_m - extent, sphere.centre_m + extent};
 }
 
-WorldBounds bounds_of(const Light& light) { return around(light.matrix, half_size(light.shape)); }
+// Nothing of light from afar: its place means nothing.
+std::optional<WorldBounds> bounds_of(const Light& light) {
+  if (std::holds_alternative<DirectionalShape>(light.shape)) return std::nullopt;
+  return around(light.matrix, half_size(light.shape));
+}
 
 // Nothing of a half-space.
 std::optional<WorldBounds> bounds_of(const Shape& shape) {
@@ -105,7 +109,8 @@ std::optional<WorldBounds> with_shapes_and_lights(const Scene& scene, std::optio
   for (const auto& sphere : scene.spheres) add(bounds_of(sphere));
   for (const auto& shape : scene.shapes)
     if (const auto one = bounds_of(shape)) add(*one);
-  for (const auto& light : scene.lights) add(bounds_of(light));
+  for (const auto& light : scene.lights)
+    if (const auto one = bounds_of(light)) add(*one);
   return bounds;
 }
 
@@ -148,7 +153,8 @@ std::optional<WorldBounds> rough_bounds(const Scene& scene) {
 
 VastObjects vast_objects(const Scene& scene, double ratio) {
   auto bounds = rough_instance_bounds(scene);
-  for (const auto& light : scene.lights) bounds.push_back(bounds_of(light));
+  const WorldBounds at_camera{scene.camera.position_m, scene.camera.position_m};
+  for (const auto& light : scene.lights) bounds.push_back(bounds_of(light).value_or(at_camera));
   for (const auto& sphere : scene.spheres) bounds.push_back(bounds_of(sphere));
   for (const auto& shape : scene.shapes)
     if (const auto one = bounds_of(shape)) bounds.push_back(*one);
@@ -156,7 +162,7 @@ VastObjects vast_objects(const Scene& scene, double ratio) {
   std::iota(by_size.begin(), by_size.end(), std::size_t{0});
   std::stable_sort(by_size.begin(), by_size.end(),
                    [&](std::size_t a, std::size_t b) { return radius_of(bounds[a]) < radius_of(bounds[b]); });
-  WorldBounds smaller{scene.camera.position_m, scene.camera.position_m};
+  WorldBounds smaller = at_camera;
   std::vector<bool> is_vast(bounds.size(), false);
   bool all_that_follow = false;
   for (const std::size_t i : by_size) {

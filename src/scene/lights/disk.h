@@ -12,7 +12,11 @@ namespace orbs::scene {
 struct DiskShape {
   static constexpr const char* kType = "disk";
   static constexpr const char* kRequirement = "L1";
+  static constexpr const char* kProfileRequirement = "L4";
   static constexpr const char* kWhat = "an area light";
+  static constexpr const char* kEmission = "radiance";
+  static constexpr bool kHasArea = true;
+  static constexpr int kPowerOfScale = 0;
   double radius_m = 1;
   bool operator==(const DiskShape&) const = default;
 };

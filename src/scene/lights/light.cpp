@@ -27,10 +27,30 @@ void write_ies_use(json::Writer& out, const IesUse& use) {
   out.key("matrix").numbers(use.matrix.m).end_object();
 }
 
+const char* emission_key(const LightShape& shape) {
+  return std::visit([](const auto& s) { return s.kEmission; }, shape);
+}
+
+bool takes_profile(const LightShape& shape) {
+  return std::visit(
+      [](const auto& s) {
+        return requires { s.kProfileRequirement; };
+      },
+      shape);
+}
+
 }  // namespace
 
 const char* type_name(const LightShape& shape) {
   return std::visit([](const auto& s) { return s.kType; }, shape);
+}
+
+bool has_area(const LightShape& shape) {
+  return std::visit([](const auto& s) { return s.kHasArea; }, shape);
+}
+
+int power_of_scale(const LightShape& shape) {
+  return std::visit([](const auto& s) { return s.kPowerOfScale; }, shape);
 }
 
 Vec3d half_size(const LightShape& shape) {
@@ -41,14 +61,14 @@ Light load_light(json::ObjectReader& in, const DataFolders& folders, const Spect
   Light light;
   light.name = in.text_or("name", "");
   light.shape = load_kind<LightShape>(in, in);
-  const auto radiance = load_radiance(in, "radiance", spectra);
+  const auto radiance = load_radiance(in, emission_key(light.shape), spectra);
   light.radiance = radiance.rgb;
   light.spectrum = radiance.spectrum;
-  light.reflectance = in.vec3_or("reflectance", {}, {0.0, 1.0});
+  if (has_area(light.shape)) light.reflectance = in.vec3_or("reflectance", {}, {0.0, 1.0});
   light.matrix = load_matrix(in, "matrix");
   refuse_motion(in, "lights");
   std::visit([&](const auto& shape) { check_placed(in, shape, light.matrix); }, light.shape);
-  if (in.has("ies")) light.ies = load_ies_use(in.object("ies"), folders);
+  if (takes_profile(light.shape) && in.has("ies")) light.ies = load_ies_use(in.object("ies"), folders);
   in.finish();
   return light;
 }
@@ -56,7 +76,7 @@ Light load_light(json::ObjectReader& in, const DataFolders& folders, const Spect
 void write_light(json::Writer& out, const SpectrumList& spectra, const Light& light) {
   out.begin_object().member("name", light.name).member("type", type_name(light.shape));
   std::visit([&](const auto& shape) { write(out, shape); }, light.shape);
-  write_colour(out, spectra, "radiance", light.radiance, light.spectrum);
+  write_colour(out, spectra, emission_key(light.shape), light.radiance, light.spectrum);
   if (light.reflectance != RgbColour{}) out.member("reflectance", light.reflectance);
   out.key("matrix").numbers(light.matrix.m);
   if (light.ies) write_ies_use(out, *light.ies);

@@ -14,9 +14,8 @@ class ObjectReader;
 class Writer;
 }  // namespace orbs::json
 
-/// A kind of light is the shape that shines: a struct with `kType`, its word in the scene file,
-/// `kRequirement`, the level that draws it, `kWhat`, which follows "is" in messages, and the free functions
-/// of LightType beside it. All of it is one header and one source file of this folder and a line in the
+/// A kind of light is the shape that shines: a struct with the constants below and the free functions of
+/// LightType beside it. All of it is one header and one source file of this folder and a line in the
 /// variant LightShape; how the built-in tracer samples it is a file of tracer/light. A function that is
 /// missing is a compile error. A flat shape lies in the local XZ plane and emits towards local -Y only; its
 /// back is black, opaque and visible.
@@ -28,6 +27,13 @@ struct LightHit {
   bool is_front = true;  // the side that shines
 };
 
+///   kType          its word in the scene file
+///   kRequirement   the level that draws it; kProfileRequirement: with an IES profile, if it can have one
+///   kWhat          follows "is" in messages
+///   kEmission      the key of what it emits: "radiance", "intensity" in W/sr, "irradiance" in W/m^2
+///   kHasArea       false for a point or a direction (without_area.h)
+///   kPowerOfScale  the image stays the same if the world is scaled by s and what it emits by s to this power
+///
 /// load, write: the members of the shape; InputError at the key that is wrong.
 /// check_placed: InputError at the key of a size that no renderer can hold under the light's matrix.
 /// half_size: of the box about the origin that holds the shape, along its own axes.
@@ -45,6 +51,9 @@ concept LightType = requires(json::ObjectReader& in,
   { Shape::kType } -> std::convertible_to<std::string_view>;
   { Shape::kRequirement } -> std::convertible_to<std::string_view>;
   { Shape::kWhat } -> std::convertible_to<std::string_view>;
+  { Shape::kEmission } -> std::convertible_to<std::string_view>;
+  { Shape::kHasArea } -> std::convertible_to<bool>;
+  { Shape::kPowerOfScale } -> std::convertible_to<int>;
   { load(in, loaded) } -> std::same_as<void>;
   { write(out, shape) } -> std::same_as<void>;
   { check_placed(in, shape, matrix) } -> std::same_as<void>;

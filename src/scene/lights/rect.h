@@ -12,7 +12,11 @@ namespace orbs::scene {
 struct RectShape {
   static constexpr const char* kType = "rect";
   static constexpr const char* kRequirement = "L1";
+  static constexpr const char* kProfileRequirement = "L4";
   static constexpr const char* kWhat = "an area light";
+  static constexpr const char* kEmission = "radiance";
+  static constexpr bool kHasArea = true;
+  static constexpr int kPowerOfScale = 0;
   double half_width_m = 1;   // along local X
   double half_length_m = 1;  // along local Z
   bool operator==(const RectShape&) const = default;

@@ -14,7 +14,11 @@ namespace orbs::scene {
 struct SphereShape {
   static constexpr const char* kType = "sphere";
   static constexpr const char* kRequirement = "L2";
+  static constexpr const char* kProfileRequirement = "L4";
   static constexpr const char* kWhat = "a sphere";
+  static constexpr const char* kEmission = "radiance";
+  static constexpr bool kHasArea = true;
+  static constexpr int kPowerOfScale = 0;
   double radius_m = 1;
   bool operator==(const SphereShape&) const = default;
 };

@@ -117,7 +117,8 @@ std::string lower_lights(Scene& scene, const Capabilities& capabilities) {
     const auto problem =
         std::visit([&](const auto& shape) { return beyond_levels(shape, light.matrix); }, light.shape);
     if (!problem.empty()) return display_name("light", light.name, i) + " " + problem;
-    if (capabilities.contains("L3")) continue;
+    // The levels of a light without an area have it wherever it stands and shines to.
+    if (capabilities.contains("L3") || !has_area(light.shape)) continue;
     const auto moved = without_matrix(light);
     if (!moved)
       return display_name("light", light.name, i) +

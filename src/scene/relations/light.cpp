@@ -15,10 +15,12 @@ void rotate(RgbColour& colour) { colour = {colour.y, colour.z, colour.x}; }
 
 }  // namespace
 
+void multiply_emission(Light& light, double factor) { multiply(light.radiance, light.spectrum, factor); }
+
 Scene with_emission_times(const Scene& scene, double factor) {
   Scene out = scene;
   multiply(out.environment, out.environment_spectrum, factor);
-  for (auto& light : out.lights) multiply(light.radiance, light.spectrum, factor);
+  for (auto& light : out.lights) multiply_emission(light, factor);
   for (auto& material : out.materials)
     if (auto* emission = std::get_if<Emission>(&material.model))
       multiply(emission->radiance, emission->spectrum, factor);

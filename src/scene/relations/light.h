@@ -8,6 +8,9 @@
 /// Changes of the light and of colours.
 namespace orbs::scene {
 
+/// What the light emits, as a colour and as a spectrum, times `factor`.
+void multiply_emission(Light& light, double factor);
+
 /// All emission times `factor`: environment, emissive materials and lights, as colours and as spectra.
 Scene with_emission_times(const Scene& scene, double factor);
 

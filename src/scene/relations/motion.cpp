@@ -3,6 +3,9 @@
 #include "base/nth.h"
 #include "scene/geometry/world_bounds.h"
 #include "scene/lower/geometry.h"
+#include "scene/relations/light.h"
+
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -35,7 +38,10 @@ Scene moved(const Scene& scene, const Mat4& motion) {
     instance.matrix = motion * instance.matrix;
     if (instance.end_matrix) instance.end_matrix = motion * *instance.end_matrix;
   }
-  for (auto& light : out.lights) light.matrix = motion * light.matrix;
+  for (auto& light : out.lights) {
+    light.matrix = motion * light.matrix;
+    multiply_emission(light, std::pow(scale, power_of_scale(light.shape)));
+  }
   for (auto& sphere : out.spheres) {
     sphere.centre_m = transform_point(motion, sphere.centre_m);
     sphere.radius_m *= scale;

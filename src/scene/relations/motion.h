@@ -9,8 +9,8 @@ namespace orbs::scene {
 
 /// The scene with instances, shapes, lights and camera moved by `motion`, which must be a similarity: a
 /// rotation or reflection, a uniform scale, and a translation. Radiance stays, as it does along rays in a
-/// vacuum: all light of a scene is given as radiance, so no power or intensity has to follow a scale. Heights
-/// of thin films stay, because their phase depends on the angle alone.
+/// vacuum, and irradiance across parallel light; intensities of points follow the square of the scale.
+/// Heights of thin films stay, because their phase depends on the angle alone.
 Scene moved(const Scene& scene, const Mat4& motion);
 
 /// Why a motion that turns the world changes the image; "" if it does not. Texture coordinates of spheres

@@ -110,6 +110,7 @@ ProbeScene make_id_pass(const scene::Scene& original, int most_px) {
   scene::drop_spectra(scene);
   scene.outputs = {};
   for (auto& light : scene.lights) light.reflectance = {};
+  std::erase_if(scene.lights, [](const auto& light) { return !has_area(light.shape); });  // nobody sees them
   ProbeScene probe{scene, {}};
   auto& out = probe.scene;
   fit_camera(out.camera, most_px);

@@ -187,8 +187,12 @@ Accel::Accel(const AccelGeometry& geometry, Intersection intersection)
                     id);
     if (object.kind == ObjectKind::Light) {
       const AreaLight& light = geometry.lights[object.light];
-      std::visit([&](const auto& emitter) { state_->add_light(surface_of(emitter), light.is_vast, id); },
-                 light.shape);
+      std::visit(
+          [&](const auto& emitter) {
+            if constexpr (requires { surface_of(emitter); })
+              state_->add_light(surface_of(emitter), light.is_vast, id);
+          },
+          light.shape);
     }
   }
   rtcCommitScene(state_->top);

@@ -1,6 +1,7 @@
 #include "tracer/integrator/light_emission.h"
 
 #include "tracer/geometry/transforms.h"
+#include "tracer/light/emission_without_area.h"
 #include "tracer/light/emitter.h"
 #include "tracer/sampling/warps.h"
 #include "tracer/world/surface.h"
@@ -44,6 +45,20 @@ EmittedRay emitted_ray(std::size_t emitter, const EmittingPoint& from, Vec3f dir
   return out;
 }
 
+EmittedRay emit_without_area(const World& world,
+                             std::size_t emitter,
+                             const std::array<float, 4>& at,
+                             float pick_caster) {
+  const StartWithoutArea start =
+      start_towards_casters(world.lights[emitter], world.caustic_casters, pick_caster, at[2], at[3]);
+  EmittedRay out;
+  out.emitter = emitter;
+  out.position = start.position;
+  out.ray = {start.position, start.direction};
+  out.weight = 1 / (world.emitters.probability(emitter) * start.pdf);
+  return out;
+}
+
 /// The start of a light path; `pdf` per m^2 of the emitter.
 struct Start {
   std::size_t emitter = 0;
@@ -70,6 +85,8 @@ float start_pdf(const World& world, const Start& start, const LightGuide* chosen
 
 EmittedRay emit(const World& world, const std::array<float, 4>& at, const std::array<float, 4>& choice) {
   const std::size_t emitter = world.emitters.pick(with_more_digits(choice[0], choice[3]));
+  if (emitter < world.emitters.light_count() && !has_area(world.lights[emitter].shape))
+    return emit_without_area(world, emitter, at, choice[1]);
   const EmittingPoint from = point_on(world, emitter, at, choice);
   const auto to =
       sample_towards_casters(world.caustic_casters, from.position, from.normal, choice[1], at[2], at[3]);

@@ -14,7 +14,8 @@ struct EmittedRay {
   Vec3f position;    // on the emitter
   Vec2f texture_uv;  // there, for emissive triangles
   /// Cosine over the product of all pdfs (selection of the emitter, area, solid angle); 0 for directions to
-  /// the dark side.
+  /// the dark side. Of a light without an area, one over the pdf of its selection and its direction or, if
+  /// that is its only one, its place.
   float weight = 0;
 };
 

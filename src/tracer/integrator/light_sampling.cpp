@@ -69,10 +69,12 @@ std::optional<LightSample> sample_light(
   const Vec3f from = at.position;
   std::optional<EmitterPoint> point;
   Radiance radiance;
+  bool can_be_hit = true;
   if (chosen < world.emitters.light_count()) {
     const AreaLight& light = world.lights[chosen];
     point = sample_towards(light.shape, from, u, v);
     if (point) radiance = radiance_towards(light, point->position, from);
+    can_be_hit = !world.has_lights_without_area || has_area(light.shape);
   } else if (const PluginShape* shape = plugin_emitter(world, chosen)) {
     point = sample_towards(*shape, from, u, v);
     if (point) radiance = radiance_of(world, *shape);
@@ -83,12 +85,14 @@ std::optional<LightSample> sample_light(
     if (point) radiance = emitted_radiance(world, emission_of(world, triangle), uv);
   }
   if (!point || is_dark(radiance) || !(point->pdf > 0)) return std::nullopt;
+  if (can_be_hit && world.direct_light == DirectLight::Bsdf) return std::nullopt;
   return LightSample{radiance,
                      point->position,
                      end_of_shadow_ray(*point, from),
                      point->pdf * probability,
                      chosen,
-                     emission_pdf_if_connected(world, chosen, point->position, from)};
+                     emission_pdf_if_connected(world, chosen, point->position, from),
+                     can_be_hit};
 }
 
 EmissionHit emission_at_light(const World& world,

@@ -32,17 +32,20 @@ EmissionHit emission_at_surface(const World& world,
 
 /// A point sampled on an emitter.
 struct LightSample {
-  Radiance radiance;  // towards the shading point
+  Radiance
+      radiance;  // towards the shading point; over the pdf it is irradiance for lights without an area, too
   Vec3f position;
   Vec3f target;   // end of the shadow ray, off the surface of the emitter
   float pdf = 0;  // per solid angle, selection of the emitter included
   std::size_t emitter = 0;
   float emission_pdf = 0;  // as in EmissionHit
+  bool can_be_hit = true;  // by BSDF sampling; not a light without an area
 };
 
-/// Whether there is next-event estimation at all.
+/// Whether there is next-event estimation at all. Lights without an area are found by nothing else.
 inline bool samples_lights(const World& world) {
-  return !world.emitters.empty() && world.direct_light != DirectLight::Bsdf;
+  return !world.emitters.empty() &&
+         (world.direct_light != DirectLight::Bsdf || world.has_lights_without_area);
 }
 
 /// Probability with which light sampling for this point selects the emitter.

@@ -65,6 +65,7 @@ struct LightLanes {
   Float8 pdf{};
   Float8 emission_pdf{};  // as in LightSample
   std::array<Radiance, kLanes> radiance;
+  std::array<bool, kLanes> can_be_hit{};  // as in LightSample
 };
 
 template <Transport T>
@@ -86,6 +87,7 @@ LightLanes sample_lights(const PathBatch<T>& batch,
     out.pdf[lane] = light->pdf;
     out.emission_pdf[lane] = light->emission_pdf;
     out.radiance[lane] = light->radiance;
+    out.can_be_hit[lane] = light->can_be_hit;
   }
   return out;
 }
@@ -103,18 +105,20 @@ void sample_direct_light(PathBatch<T>& batch,
   const Vec8 wi = frame.to_local(direction);
   std::array<typename T::Value, kLanes> f_cos;
   Float8 bsdf_pdf{};
+  Float8 hit_pdf{};  // with which BSDF sampling would find the light
   Float8 connected_pdf{};
   for (std::size_t lane = 0; lane < vertices.count; ++lane) {
     if (!(light.pdf[lane] > 0)) continue;
     const auto value = evaluate(vertices.bsdf[lane], lane_of(wo, lane), lane_of(wi, lane));
     f_cos[lane] = value.f_cos;
     bsdf_pdf[lane] = value.pdf;
+    hit_pdf[lane] = light.can_be_hit[lane] ? value.pdf : 0;
     if (!world.connects_light_vertices) continue;
     const float cosine = std::abs(dot(lane_of(vertices.geometric_normal, lane), lane_of(direction, lane)));
     connected_pdf[lane] =
         connection_pdf(light.emission_pdf[lane], cosine, batch.paths[vertices.path[lane]].arrival_pdf);
   }
-  const Float8 weight = light_weight(world.direct_light, light.pdf, bsdf_pdf, connected_pdf) / light.pdf;
+  const Float8 weight = light_weight(world.direct_light, light.pdf, hit_pdf, connected_pdf) / light.pdf;
   const Mask8 agree = sides_agree(vertices.geometric_normal, frame.z, direction);
   const Vec8 origin =
       offset_origin(vertices.position, vertices.position_error, vertices.geometric_normal, direction);

@@ -45,7 +45,8 @@ void sample_mirrored_light(PathBatch<T>& batch,
   PathClass events = path.events;
   events.append(event_of(vertices.bsdf[lane]), dot(frame.z, direction) < 0);
   events.append(Event::Specular, false);
-  const float weight = light_weight(world.direct_light, pdf, value.pdf, 0.0F) / pdf;
+  const float hit_pdf = light->can_be_hit ? value.pdf : 0;
+  const float weight = light_weight(world.direct_light, pdf, hit_pdf, 0.0F) / pdf;
   const auto emitted = T::radiance(world, light->radiance, path.lambda) * weight;
   batch.mirror_rays.push_back(
       {.origin = offset_origin(position, vertices.position_error[lane], geometric_normal, direction),

@@ -26,6 +26,15 @@ Vec3f sample_cone(Vec3f axis, float height, float u, float v) {
   return frame_around(axis).to_world({sine * std::cos(phi), sine * std::sin(phi), 1 - down});
 }
 
+// Of a sphere seen from outside.
+float cone_pdf(const BoundingSphere& sphere, float height, Vec3f from, Vec3f direction, bool was_chosen) {
+  const Vec3f off_axis = direction - normalised(sphere.centre - from);
+  const float down = dot(off_axis, off_axis) / 2;  // 1 - cos, without its cancellation
+  return was_chosen || down <= height ? 1 / (2 * kPi * height) : 0;
+}
+
+constexpr float kWholeSphere = 2;  // 1 - cos of its half angle
+
 }  // namespace
 
 Vec3f direction_towards(const BoundingSphere& sphere, Vec3f from, Vec3f normal, float u, float v) {
@@ -37,9 +46,18 @@ Vec3f direction_towards(const BoundingSphere& sphere, Vec3f from, Vec3f normal, 
 float pdf_towards(const BoundingSphere& sphere, Vec3f from, Vec3f normal, Vec3f direction, bool was_chosen) {
   const auto height = cone_height(sphere, from);
   if (!height) return std::max(0.0F, dot(normal, direction)) * kInvPi;
-  const Vec3f off_axis = direction - normalised(sphere.centre - from);
-  const float down = dot(off_axis, off_axis) / 2;  // 1 - cos, without its cancellation
-  return was_chosen || down <= *height ? 1 / (2 * kPi * *height) : 0;
+  return cone_pdf(sphere, *height, from, direction, was_chosen);
+}
+
+Vec3f direction_towards(const BoundingSphere& sphere, Vec3f from, float u, float v) {
+  const auto height = cone_height(sphere, from);
+  return height ? sample_cone(normalised(sphere.centre - from), *height, u, v)
+                : sample_cone({0, 0, 1}, kWholeSphere, u, v);
+}
+
+float pdf_towards(const BoundingSphere& sphere, Vec3f from, Vec3f direction, bool was_chosen) {
+  const auto height = cone_height(sphere, from);
+  return height ? cone_pdf(sphere, *height, from, direction, was_chosen) : 1 / (2 * kPi * kWholeSphere);
 }
 
 }  // namespace orbs::tracer

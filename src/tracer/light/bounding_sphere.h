@@ -18,4 +18,8 @@ Vec3f direction_towards(const BoundingSphere& sphere, Vec3f from, Vec3f normal, 
 /// the rim of the cone cannot exclude it.
 float pdf_towards(const BoundingSphere& sphere, Vec3f from, Vec3f normal, Vec3f direction, bool was_chosen);
 
+/// The same for light that starts at a point without a normal: from inside uniform in all directions.
+Vec3f direction_towards(const BoundingSphere& sphere, Vec3f from, float u, float v);
+float pdf_towards(const BoundingSphere& sphere, Vec3f from, Vec3f direction, bool was_chosen);
+
 }  // namespace orbs::tracer

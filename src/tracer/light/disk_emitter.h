@@ -9,6 +9,7 @@ struct CurvedSurface;
 
 /// Ellipse centre + s a + t b with s^2 + t^2 <= 1 that emits to the side of `normal`.
 struct DiskEmitter {
+  static constexpr bool kHasArea = true;
   Vec3d centre;
   Vec3d a;
   Vec3d b;

@@ -30,11 +30,29 @@ float area_of(const EmitterShape& shape) {
   return std::visit([](const auto& s) { return s.area; }, shape);
 }
 
+bool has_area(const EmitterShape& shape) {
+  return std::visit([](const auto& s) { return s.kHasArea; }, shape);
+}
+
+namespace {
+
+// The share of what the light emits that goes in this direction, its profile aside.
+float share_of_shape(const EmitterShape& shape, Vec3f position, Vec3f to_viewer) {
+  return std::visit(
+      [&](const auto& s) -> float {
+        if constexpr (requires { share_towards(s, to_viewer); }) return share_towards(s, to_viewer);
+        return shows_bright_side(s, position, to_viewer) ? 1.0F : 0.0F;
+      },
+      shape);
+}
+
+}  // namespace
+
 Radiance radiance_towards(const AreaLight& light, Vec3f position, Vec3f to) {
   const Vec3f to_viewer = to - position;
-  if (!std::visit([&](const auto& s) { return shows_bright_side(s, position, to_viewer); }, light.shape))
-    return {};
-  if (!light.ies) return light.radiance;
+  const float of_shape = share_of_shape(light.shape, position, to_viewer);
+  if (of_shape == 0) return {};
+  if (!light.ies) return {light.radiance.rgb * of_shape, light.radiance.spectrum, of_shape};
   const Vec3f d = light.ies->point_area ? to - light.centre : to_viewer;
   const Vec3f local{dot(d, light.ies_axes[0]), dot(d, light.ies_axes[1]), dot(d, light.ies_axes[2])};
   const auto& profile = *light.ies->profile;

@@ -14,7 +14,7 @@ struct SurfaceEmitters {
   std::vector<PluginEmitter> plugin_shapes;
 };
 
-/// All emitters: area lights first, then emissive triangles, then glowing shapes of plug-ins. Each is
+/// All emitters: lights first, then emissive triangles, then glowing shapes of plug-ins. Each is
 /// selected with probability proportional to its power.
 class EmitterTable {
  public:

@@ -14,7 +14,7 @@
 ///   XEmitter                          its shape in world space, with its `area`, prepared once per scene
 ///   make_emitter(scene::X, m, normal) prepares it; the normal is that of local -Y
 ///   surface_of(emitter)               what rays meet: a Quad, or a type with bounds_of and hit_of
-///                                     (accel/user_geometry.h)
+///                                     (accel/user_geometry.h); not of one without an area
 /// and the functions of EmitterType.
 namespace orbs::tracer {
 
@@ -40,9 +40,12 @@ struct EmittingPoint {
 /// point at `position`. point_on, pdf_area: as sample_towards and pdf_towards, of light paths. normal_of: at
 /// a point of the surface. shows_bright_side: whether a viewer in that direction and distance from the point
 /// sees the side that shines. rounding_of: bound of the rounding error of a point on the emitter, in metres.
-/// bounds_of: for the light BVH; `power` is radiance times area.
+/// bounds_of: for the light BVH; `power` is radiance times area. kHasArea: false for what no ray meets
+/// (emitter_without_area.h). share_towards(emitter, direction): the share of what it emits that goes there,
+/// of a kind that does not shine evenly.
 template <typename Emitter>
 concept EmitterType = requires(const Emitter& emitter, Vec3f at, float u) {
+  { Emitter::kHasArea } -> std::convertible_to<bool>;
   { emitter.area } -> std::convertible_to<float>;
   { sample_towards(emitter, at, u, u) } -> std::same_as<std::optional<EmitterPoint>>;
   { pdf_towards(emitter, at, at) } -> std::same_as<float>;

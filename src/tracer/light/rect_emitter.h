@@ -9,6 +9,7 @@ namespace orbs::tracer {
 
 /// Parallelogram centre +- a +- b that emits to the side of `normal`.
 struct RectEmitter {
+  static constexpr bool kHasArea = true;
   Vec3d centre;
   Vec3d a;  // half the width
   Vec3d b;  // half the length

@@ -12,6 +12,7 @@ struct CurvedSurface;
 /// Image of the unit sphere under p -> centre + axes p: a sphere, or an ellipsoid if the matrix of the light
 /// scales unevenly.
 struct SphereEmitter {
+  static constexpr bool kHasArea = true;
   Vec3d centre;
   std::array<Vec3d, 3> axes{};     // images of the unit axes
   std::array<Vec3d, 3> inverse{};  // rows of the inverse map

@@ -2,6 +2,7 @@
 
 #include "base/nth.h"
 #include "image/colour.h"
+#include "scene/geometry/world_bounds.h"
 #include "tracer/world/build_meshes.h"
 
 #include <cmath>
@@ -27,6 +28,15 @@ AreaLight prepare_light(const scene::Light& light, Vec3d origin, const SceneColo
   for (std::size_t i = 0; i < 3; ++i)
     out.ies_axes[i] = cast<float>(normalised(transform_direction(ies_to_world, axes[i])));
   return out;
+}
+
+// All that light may fall on. Where nothing is drawn, a directional light must still come from somewhere.
+scene::WorldBounds lit_bounds(const scene::Scene& scene) {
+  const auto around = [](Vec3d p) { return scene::WorldBounds{p, p}; };
+  auto bounds = around(scene.camera.position_m);
+  if (scene.camera.end) bounds = joined(bounds, around(scene.camera.end->position_m));
+  const auto drawn = rough_bounds(scene);
+  return drawn ? joined(bounds, *drawn) : bounds;
 }
 
 float mean_share(const scene::IesProfile& profile) {
@@ -103,6 +113,21 @@ void add_glowing_plugin_shape(const World& world,
   out.push_back({object.plugin_shape, area});
 }
 
+// The power of a finite emitter says how much it lights at a distance that is not known here; parallel light
+// lights the same everywhere, and the square of the radius of all that it may fall on, a vast floor say,
+// would leave next to no samples for lamps nearby. Both get half of the samples.
+void balance_parallel_light(const World& world, std::vector<float>& powers) {
+  float parallel = 0;
+  float finite = 0;
+  const auto is_parallel = [&](std::size_t i) {
+    return i < world.lights.size() && std::holds_alternative<DirectionalEmitter>(world.lights[i].shape);
+  };
+  for (std::size_t i = 0; i < powers.size(); ++i) (is_parallel(i) ? parallel : finite) += powers[i];
+  if (!(parallel > 0 && finite > 0)) return;
+  for (std::size_t i = 0; i < powers.size(); ++i)
+    if (is_parallel(i)) powers[i] *= finite / parallel;
+}
+
 }  // namespace
 
 void add_lights(const scene::Scene& scene,
@@ -115,8 +140,16 @@ void add_lights(const scene::Scene& scene,
     object.kind = ObjectKind::Light;
     object.light = world.lights.size();
     world.lights.push_back(prepare_light(light, origin, colours));
-    world.lights.back().is_vast = is_vast[object.light];
-    world.objects.push_back(std::move(object));
+    AreaLight& prepared = world.lights.back();
+    prepared.is_vast = is_vast[object.light];
+    if (auto* directional = std::get_if<DirectionalEmitter>(&prepared.shape)) {
+      const scene::WorldBounds lit = lit_bounds(scene);
+      set_lit_sphere(*directional, (lit.low + lit.high) * 0.5 - origin, radius_of(lit));
+    }
+    if (has_area(prepared.shape))
+      world.objects.push_back(std::move(object));
+    else
+      world.has_lights_without_area = true;
   }
 }
 
@@ -141,6 +174,7 @@ void build_emitters(World& world, LightSelection selection) {
     bounds.push_back(light_bounds_of(world.plugin_shapes[object.plugin_shape], powers.back()));
   }
   if (selection == LightSelection::Bvh) world.light_bvh = LightBvh(bounds, groups);
+  balance_parallel_light(world, powers);
   world.emitters.build(powers, std::move(surfaces), world.lights.size());
 }
 

@@ -6,7 +6,7 @@
 /// Steps of make_world.
 namespace orbs::tracer {
 
-/// Adds the area lights, in coordinates relative to `origin`. `is_vast`: as in add_meshes, of each light.
+/// Adds the lights, in coordinates relative to `origin`. `is_vast`: as in add_meshes, of each light.
 void add_lights(const scene::Scene& scene,
                 Vec3d origin,
                 const SceneColours& colours,

@@ -9,6 +9,7 @@
 #include "scene/relations/motion.h"
 #include "scene/scene.h"
 #include "tracer/colour/scene_colours.h"
+#include "tracer/integrator/light_sampling.h"
 #include "tracer/numeric_fault.h"
 #include "tracer/world/build_lights.h"
 #include "tracer/world/build_meshes.h"
@@ -120,7 +121,7 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
   world.direct_light = settings.direct_light;
   world.roulette = settings.roulette;
   // Light paths and camera paths share the light another way if there are no planes, so both work without.
-  if (settings.mirrored_light && settings.direct_light != DirectLight::Bsdf) find_mirror_planes(world);
+  if (settings.mirrored_light && samples_lights(world)) find_mirror_planes(world);
   if (settings.light_paths && why_no_light_paths(world).empty())
     world.caustic_casters = find_caustic_casters(world);
   world.accel = std::make_unique<Accel>(AccelGeometry{world.objects, world.meshes, world.spheres,
@@ -144,7 +145,7 @@ std::string why_no_light_paths(const World& world) {
   if (!std::holds_alternative<scene::PathTracing>(world.integrator))
     return "an irradiance cache keeps the light that they would carry";
   if (world.shutter) return "they would meet the camera's paths at a time of their own, and something moves";
-  if (world.emitters.empty()) return "the scene has no emitter of a finite size that they could start at";
+  if (world.emitters.empty()) return "the scene has no light or finite emitter that they could start at";
   // Of the transport, not of the materials: one that no surface shows must change nothing.
   if (scene::covers(world.transport, scene::LightTransport::Polarised))
     return fmt::format("they carry no polarisation, and the transport is {}",
@@ -160,6 +161,8 @@ std::string why_no_light_paths(const World& world) {
 
 std::string why_no_light_connections(const World& world) {
   if (auto why = why_no_light_paths(world); !why.empty()) return why;
+  if (world.has_lights_without_area)
+    return "they start at points of emitters with an area, and a light of the scene has none";
   if (world.direct_light != DirectLight::Mis) return "they are weighted against --direct-light mis alone";
   if (world.trace_depth < 2) return "they add a bounce, and the trace depth of the scene is 1";
   return "";

@@ -43,6 +43,7 @@ struct World {
   std::vector<PluginShape> plugin_shapes;
   std::vector<RenderObject> objects;
   std::vector<AreaLight> lights;
+  bool has_lights_without_area = false;
   EmitterTable emitters;
   LightBvh light_bvh;  // of the emitters; empty: light sampling selects them by power alone
   /// Empty unless light paths are traced. They then carry all light that leaves its emitter towards a
