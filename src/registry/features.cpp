@@ -23,8 +23,8 @@ struct Group {
   char letter;
   int highest;
 };
-constexpr std::array kGroups{Group{'G', 5}, Group{'M', 8}, Group{'L', 4}, Group{'A', 4},
-                             Group{'E', 6}, Group{'S', 7}, Group{'T', 3}, Group{'I', 2}};
+constexpr std::array kGroups{Group{'G', 5}, Group{'M', 8}, Group{'L', 4}, Group{'A', 4}, Group{'E', 6},
+                             Group{'S', 7}, Group{'T', 3}, Group{'I', 2}, Group{'C', 5}};
 
 int rank(char group) {
   const auto at = kOrder.find(group);

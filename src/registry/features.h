@@ -39,8 +39,8 @@ RequirementCode parse_requirement(std::string_view text);
 std::string format_requirement(RequirementCode code);
 
 /// InputError, with those that there are, when a requirement is none of G1 to G5, M1 to M8, L1 to L4, A1 to
-/// A4 of ORB.S, E1 to E6 beyond it, S1 to S7, shapes by their formula, T1 to T3, motion, and I1 and I2,
-/// integrators.
+/// A4 of ORB.S, E1 to E6 beyond it, S1 to S7, shapes by their formula, T1 to T3, motion, I1 and I2,
+/// integrators, and C1 to C5, cameras.
 void refuse_unknown(RequirementCode code);
 void refuse_unknown(const FeatureSet& features);
 

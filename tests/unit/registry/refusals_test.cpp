@@ -69,7 +69,7 @@ TEST(Declares, LevelsThatNoSuiteHasAreRefusedWithTheRange) {
     expect_part(message, "configuration.json:2:");
     expect_part(message, "/renderers/0/declares: there is no requirement ");
     expect_part(message,
-                "; there are G1 to G5, M1 to M8, L1 to L4, A1 to A4, E1 to E6, S1 to S7, T1 to T3, I1 to I2");
+                "; there are G1 to G5, M1 to M8, L1 to L4, A1 to A4, E1 to E6, S1 to S7, T1 to T3, I1 to I2, C1 to C5");
   }
   expect_part(refusal("a", "G1", kCommand, R"(, "known_limits": [{"requirements": ["M11"], "reason": "r"}])"),
               "/renderers/0/known_limits/0/requirements/0: there is no requirement M11");
