@@ -76,7 +76,7 @@ struct SurfaceWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {},
+      {"C2"},
       {{"E1", "glTF's metals follow Schlick's formula, not n and k"},
        {"E2", "glTF has three colours"},
        {"E3", "glTF knows no polarisation"},
@@ -86,7 +86,10 @@ const BeyondOrbs& beyond_orbs() {
        {"S7", "a plug-in is machine code for the built-in tracer"},
        {"T1", "glTF's animations turn by angles, and it has no shutter"},
        {"T2", "glTF has morph targets and no shutter"},
-       {"T3", "glTF's animations turn by angles, and it has no shutter"}}};
+       {"T3", "glTF's animations turn by angles, and it has no shutter"},
+       {"C1", "glTF's cameras are pinholes"},
+       {"C3", "glTF's images are centred on the axis"},
+       {"C4", "glTF has perspective and orthographic cameras"}}};
   return kLevels;
 }
 

@@ -82,7 +82,7 @@ struct MaterialWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {},
+      {"C1"},
       {{"E1", "HydraCore3's metals have one n and k for all three colours, and its lights reflect nothing"},
        {"E2", "HydraCore3's mode of wavelengths has no spectra for colours"},
        {"E3", "HydraCore3 carries no polarisation"},
@@ -92,7 +92,10 @@ const BeyondOrbs& beyond_orbs() {
        {"S7", "a plug-in is machine code for the built-in tracer"},
        {"T1", "the exporter writes HydraCore3's instances at rest"},
        {"T2", "HydraCore3 has no meshes that change their shape"},
-       {"T3", "HydraCore3's camera rests"}}};
+       {"T3", "HydraCore3's camera rests"},
+       {"C2", "HydraCore3's cameras are perspectives"},
+       {"C3", "HydraCore3's images are centred on the axis"},
+       {"C4", "HydraCore3's cameras are perspectives"}}};
   return kLevels;
 }
 

@@ -175,14 +175,15 @@ struct BsdfWriter {
 }  // namespace
 
 const BeyondOrbs& beyond_orbs() {
-  static const BeyondOrbs kLevels{{"E1", "E2", "E3"},
+  static const BeyondOrbs kLevels{{"E1", "E2", "E3", "C1", "C2", "C3"},
                                   {{"E4", "Mitsuba has no fluorescence"},
                                    {"E5", "Mitsuba has no thin films"},
                                    {"E6", "Mitsuba's dielectrics have one index for all wavelengths"},
                                    {"S7", "a plug-in is machine code for the built-in tracer"},
                                    {"T1", "Mitsuba 3 has no shapes that move"},
                                    {"T2", "Mitsuba 3 has no meshes that change their shape"},
-                                   {"T3", "Mitsuba 3 has no cameras that move"}}};
+                                   {"T3", "Mitsuba 3 has no cameras that move"},
+                                   {"C4", "Mitsuba 3 has no latitude-longitude camera"}}};
   return kLevels;
 }
 

@@ -144,7 +144,7 @@ struct MaterialWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"E1", "E2", "E6"},
+      {"E1", "E2", "E6", "C1", "C2", "C3", "C4"},
       {{"E3", "pbrt carries no polarisation"},
        {"E4", "pbrt has no fluorescence"},
        {"E5", "pbrt has no thin films"},

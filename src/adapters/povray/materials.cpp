@@ -159,7 +159,7 @@ std::string texture_copy(const scene::Scene& scene, int index, const std::string
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"E6", "S1", "S2", "S3", "S4"},
+      {"E6", "S1", "S2", "S3", "S4", "C1", "C2", "C3", "C4"},
       {{"E1", "POV-Ray has no indices of metals, and no glossy reflection or refraction"},
        {"E2", "POV-Ray renders in three colours"},
        {"E3", "POV-Ray carries no polarisation"},
