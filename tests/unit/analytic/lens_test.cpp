@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -27,6 +29,13 @@ scene::Camera camera(double radius) {
 registry::AnalyticSurface square(double left, double right, double z, double radiance) {
   return {
       registry::FlatPolygon{{{left, -90, z}, {right, -90, z}, {right, 90, z}, {left, 90, z}}}, radiance, {}};
+}
+
+registry::DirectLight image_of(std::vector<registry::AnalyticSurface> surfaces, double environment = 0) {
+  registry::DirectLight image;
+  image.surfaces = std::move(surfaces);
+  image.environment = environment;
+  return image;
 }
 
 double seen(const registry::DirectLight& image, double x_m, double radius) {
@@ -58,32 +67,29 @@ TEST(ThinLens, AHalfPlaneIsBlurredByTheStatedLaw) {
     const double depth = 5 - z;
     for (const double t : {-0.5, 0.0, 0.25, 0.5, 1.5, -1.5}) {
       const double x = -t * kRadius * std::fabs(depth - 5) / depth;  // to the right it is inside
-      EXPECT_NEAR(seen({.surfaces = {square(0, 90, z, 1)}}, x, kRadius),
-                  std::fabs(t) > 1 ? (t < 0) : share(t), 1e-9)
+      EXPECT_NEAR(seen(image_of({square(0, 90, z, 1)}), x, kRadius), std::fabs(t) > 1 ? (t < 0) : share(t),
+                  1e-9)
           << z << " " << t;
     }
   }
-  EXPECT_EQ(seen({.surfaces = {square(0, 90, 0, 1)}}, 0.01, kRadius), 1) << "in focus";
-  EXPECT_EQ(seen({.surfaces = {square(0, 90, 0, 1)}}, -0.01, kRadius), 0);
+  EXPECT_EQ(seen(image_of({square(0, 90, 0, 1)}), 0.01, kRadius), 1) << "in focus";
+  EXPECT_EQ(seen(image_of({square(0, 90, 0, 1)}), -0.01, kRadius), 0);
 }
 
 // Before the plane in focus the left half hides the right half of what is beyond it.
 TEST(ThinLens, WhatIsNearerHidesItsShare) {
-  const registry::DirectLight near_left{.environment = 0.1,
-                                        .surfaces = {square(-90, 90, -4, 0.5), square(-90, 0, 2, 1)}};
+  const auto near_left = image_of({square(-90, 90, -4, 0.5), square(-90, 0, 2, 1)}, 0.1);
   EXPECT_NEAR(seen(near_left, 0, 0.4), 0.75, 1e-9);
-  const registry::DirectLight other_way{.environment = 0.1,
-                                        .surfaces = {square(-90, 0, 2, 1), square(-90, 90, -4, 0.5)}};
+  const auto other_way = image_of({square(-90, 0, 2, 1), square(-90, 90, -4, 0.5)}, 0.1);
   EXPECT_NEAR(seen(other_way, 0, 0.4), 0.75, 1e-9);
   // Both edges at the middle of the lens: the near one covers its left half, the far one its left half too,
   // as rays cross in the plane in focus. What is left is the environment.
-  const registry::DirectLight both{.environment = 0.1,
-                                   .surfaces = {square(-90, 0, 2, 1), square(0, 90, -4, 0.5)}};
+  const auto both = image_of({square(-90, 0, 2, 1), square(0, 90, -4, 0.5)}, 0.1);
   EXPECT_NEAR(seen(both, 0, 0.4), 0.55, 1e-9);
 }
 
 TEST(ThinLens, OnlyGlowingPolygonsAtRestAreKnown) {
-  registry::DirectLight lit{.surfaces = {square(-1, 1, 0, 1)}};
+  auto lit = image_of({square(-1, 1, 0, 1)});
   lit.surfaces.front().reflectance = 0.5;
   EXPECT_THROW(analytic::analytic_image(lit, camera(0.1)), InputError);
   EXPECT_THROW(analytic::analytic_image(registry::MirrorCorridor{}, camera(0.1)), InputError);
