@@ -38,7 +38,7 @@ std::map<std::string, std::vector<Mistake>> mistakes() {
   return {{"C1",
            {{"a pinhole", [](auto& camera) { camera.aperture_radius_m = 0; }},
             {"the diameter for the radius", [](auto& camera) { camera.aperture_radius_m *= 2; }},
-            {"a focus that is 10 % off", [](auto& camera) { *camera.focus_distance_m *= 1.1; }}}},
+            {"a focus that is a quarter off", [](auto& camera) { *camera.focus_distance_m *= 1.25; }}}},
           {"C2",
            {{"a perspective", [](auto& camera) { camera.projection = scene::Perspective{}; }},
             {"half the height",

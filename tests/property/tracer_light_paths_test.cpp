@@ -74,7 +74,6 @@ std::vector<Scene> caustic_scenes() {
       {"lens", seen_by(R"("fov_y": 40, "focus_distance": 4, "aperture_radius": 0.4)")},
       {"shifted", seen_by(R"("fov_y": 40, "shift": [0.2, -0.1])")},
       {"orthographic", seen_by(R"("projection": "orthographic", "view_height": 5)")},
-      {"latitude_longitude", seen_by(R"("projection": "latitude_longitude")")},
       {"mirror",
        ball_over_floor(R"("type": "mirror", "reflectance": [0.9, 0.9, 0.9])", with_light(kRectLight))},
       {"glass", ball_over_floor(kGlass, with_light(kRectLight))},
@@ -138,6 +137,12 @@ TEST_P(TracerCaustics, AreTheSameFromTheLightAndFromTheCamera) {
 INSTANTIATE_TEST_SUITE_P(Scenes, TracerCaustics, testing::ValuesIn(caustic_scenes()), [](const auto& scene) {
   return std::string(scene.param.name);
 });
+
+TEST(TracerLightPaths, AreNotTracedToALatitudeLongitudeImage) {
+  const auto world = world_of(seen_by(R"("projection": "latitude_longitude")"), true);
+  EXPECT_TRUE(world.caustic_casters.empty());
+  EXPECT_NE(tracer::why_no_light_paths(world).find("latitude-longitude"), std::string::npos);
+}
 
 // From straight above, a glossy floor shows the ball beside it by the tail of its lobe alone. Light counted
 // twice would double it; the tolerance is four standard errors of eight seeds.
