@@ -332,7 +332,8 @@ def clip_distances(scale, farthest):
 
 def add_camera(camera, scale, farthest):
     checked(camera, "camera", ["position", "look_at"],
-            ["up", "fov_y", "width", "height", "near", "far", "focus_distance", "shutter", "end"])  # fmt: skip
+            ["up", "fov_y", "width", "height", "near", "far", "focus_distance", "shutter", "end",
+             "projection", "view_height", "shift", "aperture_radius"])  # fmt: skip
     position = Vector(camera["position"])
     back = (position - Vector(camera["look_at"])).normalized()  # Blender cameras look along local -Z, up is +Y
     right = Vector(camera.get("up", (0, 1, 0))).cross(back).normalized()
@@ -340,7 +341,7 @@ def add_camera(camera, scale, farthest):
         raise SceneError("camera: position, look_at and up give no direction")
     data = bpy.data.cameras.new("camera")
     data.sensor_fit = "VERTICAL"
-    data.angle_y = math.radians(camera.get("fov_y", 90.0))
+    set_projection(data, camera, scale)
     data.clip_start, data.clip_end = clip_distances(scale, farthest)
     item = add_object("camera", data)
     axes = Matrix((right, back.cross(right), back)).transposed().to_4x4()
@@ -350,6 +351,34 @@ def add_camera(camera, scale, farthest):
     if "end" in camera:
         slide_camera(item, scale * camera_way(camera), checked_shutter(camera))
     scene.render.resolution_x, scene.render.resolution_y = camera.get("width", 1024), camera.get("height", 1024)
+
+
+def set_projection(data, camera, scale):
+    """Widths and heights are Blender's with sensor_fit VERTICAL: its shifts are in heights of the image."""
+    kind = camera.get("projection", "perspective")
+    if kind == "orthographic":
+        data.type, data.ortho_scale = "ORTHO", scale * camera["view_height"]
+    elif kind == "latitude_longitude":
+        data.type, data.cycles.panorama_type = "PANO", "EQUIRECTANGULAR"
+        data.cycles.longitude_min, data.cycles.longitude_max = -math.pi, math.pi
+        data.cycles.latitude_min, data.cycles.latitude_max = -math.pi / 2, math.pi / 2
+    elif kind == "perspective":
+        data.angle_y = math.radians(camera.get("fov_y", 90.0))
+        shift = camera.get("shift", (0, 0))
+        data.shift_x, data.shift_y = shift[0] * camera.get("width", 1024) / camera.get("height", 1024), shift[1]
+        add_lens(data, camera, scale)
+    else:
+        raise SceneError(f"camera: unknown projection '{kind}'")
+
+
+def add_lens(data, camera, scale):
+    radius = camera.get("aperture_radius", 0)
+    if radius == 0:
+        return
+    data.dof.use_dof, data.dof.aperture_blades = True, 0
+    data.dof.focus_distance = scale * camera["focus_distance"]
+    # The f-number is the focal length, in millimetres, over the diameter; Blender takes a thousandth of the lens for metres.
+    data.dof.aperture_fstop = data.lens * 1e-3 / (2 * scale * radius)
 
 
 def camera_way(camera):

@@ -1,8 +1,11 @@
 #include "analytic/analytic_image.h"
 
 #include "analytic/direct_light.h"
+#include "analytic/lens.h"
 #include "analytic/ray.h"
 #include "analytic/reflectance.h"
+#include "base/error.h"
+#include "base/parallel.h"
 #include "scene/camera_frame.h"
 
 #include <algorithm>
@@ -19,6 +22,8 @@ namespace orbs::analytic {
 namespace {
 
 using Rgb = std::array<double, 3>;
+// At a point of the image, in pixels from its upper left corner.
+using RadianceAt = std::function<Rgb(double x, double y)>;
 using RadianceAlong = std::function<Rgb(const Ray&)>;
 
 Rgb grey(double value) { return {value, value, value}; }
@@ -103,8 +108,8 @@ struct Cell {
 
 class PixelMean {
  public:
-  PixelMean(const scene::Camera& camera, RadianceAlong radiance)
-      : camera_(camera), frame_(scene::camera_frame(camera)), radiance_(std::move(radiance)) {}
+  explicit PixelMean(RadianceAt radiance, double tolerance)
+      : radiance_(std::move(radiance)), tolerance_(tolerance) {}
 
   /// The mean over the cell by the rules of Gauss and Lobatto with three points each way; where these do not
   /// agree, or the values differ much, the mean of the quarters. Lobatto's rule has the corners, of which a
@@ -114,7 +119,7 @@ class PixelMean {
     static const auto gauss = gauss_legendre(3);
     static const Quadrature lobatto{{1e-9, 0.5, 1 - 1e-9}, {1. / 6, 4. / 6, 1. / 6}};
     const auto mean = estimate(cell, gauss).mean;
-    if (depth == kDeepest || is_smooth(estimate(cell, lobatto), mean)) return mean;
+    if (depth == kDeepest || is_smooth(estimate(cell, lobatto), mean, tolerance_)) return mean;
     const double half = cell.side / 2;
     Rgb sum{};
     for (const auto& quarter :
@@ -135,11 +140,10 @@ class PixelMean {
 
   // Gauss's rule is off by the sixth power of the side where Lobatto's is by the fourth. Across an edge the
   // two may agree by chance, but then the values differ.
-  static bool is_smooth(const Estimate& lobatto, const Rgb& mean) {
-    constexpr double kTolerance = 1e-5;
+  static bool is_smooth(const Estimate& lobatto, const Rgb& mean, double tolerance) {
     constexpr double kEven = 0.2;
     for (std::size_t c = 0; c < 3; ++c)
-      if (!(std::fabs(lobatto.mean.at(c) - mean.at(c)) <= kTolerance * mean.at(c)) ||
+      if (!(std::fabs(lobatto.mean.at(c) - mean.at(c)) <= tolerance * mean.at(c)) ||
           lobatto.largest.at(c) - lobatto.least.at(c) > kEven * lobatto.largest.at(c))
         return false;
     return true;
@@ -150,8 +154,7 @@ class PixelMean {
     all.least.fill(std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < rule.nodes.size(); ++i)
       for (std::size_t j = 0; j < rule.nodes.size(); ++j) {
-        const auto value =
-            radiance_(ray(cell.x + cell.side * rule.nodes[i], cell.y + cell.side * rule.nodes[j]));
+        const auto value = radiance_(cell.x + cell.side * rule.nodes[i], cell.y + cell.side * rule.nodes[j]);
         for (std::size_t c = 0; c < 3; ++c) {
           all.mean.at(c) += rule.weights[i] * rule.weights[j] * value.at(c);
           all.least.at(c) = std::min(all.least.at(c), value.at(c));
@@ -161,27 +164,36 @@ class PixelMean {
     return all;
   }
 
-  Ray ray(double x, double y) const {
-    const double across = (2 * x / camera_.width_px - 1) * frame_.half_width;
-    const double up = (1 - 2 * y / camera_.height_px) * frame_.half_height;
-    return {camera_.position_m, normalised(frame_.forward + frame_.right * across + frame_.up * up)};
-  }
-
-  const scene::Camera& camera_;
-  scene::CameraFrame frame_;
-  RadianceAlong radiance_;
+  RadianceAt radiance_;
+  double tolerance_;  // of each cell
 };
+
+RadianceAt radiance_at(const registry::AnalyticImage& formula, const scene::Camera& camera) {
+  const auto frame = scene::camera_frame(camera);
+  if (scene::has_lens(camera) && !std::holds_alternative<registry::ConstantImage>(formula)) {
+    const auto* image = std::get_if<registry::DirectLight>(&formula);
+    if (image == nullptr) throw InputError("the formula is not known through a lens");
+    return [lens = ThinLensImage(*image, camera)](double x, double y) { return grey(lens.at(x, y)); };
+  }
+  return [&camera, frame, along = std::visit(RadianceOf{}, formula)](double x, double y) {
+    const auto [origin, direction] = scene::camera_ray(camera, frame, x, y);
+    return along({origin, normalised(direction)});
+  };
+}
 
 }  // namespace
 
 image::Image analytic_image(const registry::AnalyticImage& formula, const scene::Camera& camera) {
   auto image = image::make_image(camera.width_px, camera.height_px, {"R", "G", "B"});
-  const PixelMean mean(camera, std::visit(RadianceOf{}, formula));
-  for (int y = 0; y < camera.height_px; ++y)
+  // Through a lens the rims of the blur cross most pixels: there the light begins as the power 3/2 of the
+  // distance, which no rule of quadrature likes.
+  const PixelMean mean(radiance_at(formula, camera), scene::has_lens(camera) ? 1e-4 : 1e-5);
+  for_each_index(camera.height_px, 0, [&](int y) {
     for (int x = 0; x < camera.width_px; ++x) {
       const auto value = mean({static_cast<double>(x), static_cast<double>(y), 1});
       for (std::size_t c = 0; c < 3; ++c) image.at(x, y, c) = static_cast<float>(value.at(c));
     }
+  });
   return image;
 }
 

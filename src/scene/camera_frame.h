@@ -2,30 +2,23 @@
 
 #include "scene/scene.h"
 
-#include <cmath>
-#include <numbers>
-
 namespace orbs::scene {
 
-/// The image plane at distance 1 of the camera, by gluLookAt (side = forward x up, true up = side x forward)
-/// and glFrustum. The middle of the image lies at `forward`, its edges at +-right half_width and +-up
-/// half_height; all three vectors are unit and in world space.
-struct CameraFrame {
-  Vec3d forward;
-  Vec3d right;
-  Vec3d up;
-  double half_width = 1;
-  double half_height = 1;
-};
+CameraFrame camera_frame(const Camera& camera);
 
-inline CameraFrame camera_frame(const Camera& camera) {
-  CameraFrame frame;
-  frame.forward = normalised(camera.look_at_m - camera.position_m);
-  frame.right = normalised(cross(frame.forward, camera.up));
-  frame.up = cross(frame.right, frame.forward);
-  frame.half_height = std::tan(camera.fov_y_deg * std::numbers::pi / 360);
-  frame.half_width = frame.half_height * camera.width_px / camera.height_px;
-  return frame;
+/// The ray through a point of the image, in pixels from its upper left corner; of a lens the one through its
+/// middle. `frame` is that of the camera. The direction is unit but for a perspective, whose is 1 long along
+/// the axis.
+CameraRay camera_ray(const Camera& camera, const CameraFrame& frame, double x_px, double y_px);
+
+/// Whether the camera maps the world as glFrustum does: a perspective whose window is centred, without a
+/// lens.
+bool is_plain_pinhole(const Camera& camera);
+
+inline bool has_lens(const Camera& camera) { return camera.aperture_radius_m > 0; }
+inline bool is_shifted(const Camera& camera) { return camera.shift != Vec2d{}; }
+inline bool is_perspective(const Camera& camera) {
+  return std::holds_alternative<Perspective>(camera.projection);
 }
 
 }  // namespace orbs::scene

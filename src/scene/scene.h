@@ -8,6 +8,7 @@
 #include "scene/integrator.h"
 #include "scene/lights/light.h"
 #include "scene/material.h"
+#include "scene/projections/projection.h"
 #include "scene/shapes/shape.h"
 #include "scene/texture.h"
 
@@ -44,20 +45,23 @@ struct CameraEnd {
   bool operator==(const CameraEnd&) const = default;
 };
 
-/// gluLookAt and glFrustum as in ORB.S REQ_G2. Near and far planes do not clip: they are part of the OpenGL
-/// matrix only.
+/// gluLookAt and, unless it has another projection, glFrustum as in ORB.S REQ_G2. Near and far planes do not
+/// clip: they are part of the OpenGL matrix only.
 struct Camera {
   Vec3d position_m;
   Vec3d look_at_m;
   Vec3d up{0, 1, 0};
-  double fov_y_deg = 90;
+  double fov_y_deg = 90;  // of a perspective
   int width_px = 1024;
   int height_px = 1024;
   double near_m = 0.1;
   double far_m = 100;
-  std::optional<double> focus_distance_m;  // ORB.S "camera distance"; a pinhole has no use for it
+  std::optional<double> focus_distance_m;  // ORB.S "camera distance", along the axis; a lens has it
   Shutter shutter;
   std::optional<CameraEnd> end = std::nullopt;  // of a camera that moves
+  Projection projection{};
+  double aperture_radius_m = 0;  // of the thin lens of a perspective; 0: a pinhole
+  Vec2d shift{};                 // of the window of a perspective, in widths to the right and heights up
   bool operator==(const Camera&) const = default;
 };
 

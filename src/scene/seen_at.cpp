@@ -36,9 +36,11 @@ std::string instance_name(const Scene& scene, const Instance& instance, int mate
   return has_one || called.empty() ? name : fmt::format("{} ({})", name, called);
 }
 
-// Where a ray from the origin meets a triangle, in lengths of its direction: Cramer's rule for
-// d t = b0 v0 + b1 v1 + b2 v2 with b0 + b1 + b2 = 1.
-std::optional<double> meet(const std::array<Vec3d, 3>& v, Vec3d d) {
+// Where a ray meets a triangle, in lengths of its direction: Cramer's rule for
+// d t = b0 v0 + b1 v1 + b2 v2 with b0 + b1 + b2 = 1, the corners v relative to the ray's origin.
+std::optional<double> meet(const std::array<Vec3d, 3>& corners, const CameraRay& ray) {
+  const std::array v{corners[0] - ray.origin_m, corners[1] - ray.origin_m, corners[2] - ray.origin_m};
+  const Vec3d d = ray.direction;
   const double volume = dot(v[0], cross(v[1], v[2]));
   const double b0 = dot(d, cross(v[1], v[2])) / volume;
   const double b1 = dot(d, cross(v[2], v[0])) / volume;
@@ -50,15 +52,13 @@ std::optional<double> meet(const std::array<Vec3d, 3>& v, Vec3d d) {
 
 void meet_instance(const Scene& scene,
                    const Instance& instance,
-                   const std::vector<Vec3d>& rays,
+                   const std::vector<CameraRay>& rays,
                    std::vector<Nearest>& nearest) {
   const auto& mesh = mesh_of(scene, instance);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     std::array<Vec3d, 3> corners;
     for (std::size_t k = 0; k < 3; ++k)
-      corners.at(k) =
-          transform_point(instance.matrix, cast<double>(mesh.positions[mesh.triangles[t].at(k)])) -
-          scene.camera.position_m;
+      corners.at(k) = transform_point(instance.matrix, cast<double>(mesh.positions[mesh.triangles[t].at(k)]));
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const auto distance = meet(corners, rays[i]);
       if (distance && *distance < nearest[i].distance)
@@ -69,14 +69,14 @@ void meet_instance(const Scene& scene,
 
 void meet_light(const Light& light,
                 std::size_t place,
-                Vec3d eye,
-                const std::vector<Vec3d>& rays,
+                const std::vector<CameraRay>& rays,
                 std::vector<Nearest>& nearest) {
   const Mat4 to_local = inverse(light.matrix).value();
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const auto found = std::visit(
         [&](const auto& shape) {
-          return hit(shape, transform_point(to_local, eye), transform_direction(to_local, rays[i]));
+          return hit(shape, transform_point(to_local, rays[i].origin_m),
+                     transform_direction(to_local, rays[i].direction));
         },
         light.shape);
     if (found.distance < nearest[i].distance)
@@ -84,13 +84,11 @@ void meet_light(const Light& light,
   }
 }
 
-std::vector<Vec3d> rays_through(const Camera& camera, const std::vector<ImagePoint>& points) {
+std::vector<CameraRay> rays_through(const Camera& camera, const std::vector<ImagePoint>& points) {
   const auto frame = camera_frame(camera);
-  std::vector<Vec3d> rays;
+  std::vector<CameraRay> rays;
   rays.reserve(points.size());
-  for (const auto& [x, y] : points)
-    rays.push_back(frame.forward + frame.right * ((2 * x / camera.width_px - 1) * frame.half_width) +
-                   frame.up * ((1 - 2 * y / camera.height_px) * frame.half_height));
+  for (const auto& [x, y] : points) rays.push_back(camera_ray(camera, frame, x, y));
   return rays;
 }
 
@@ -122,8 +120,7 @@ std::vector<std::string> seen_by_most(const Scene& given,
   const auto rays = rays_through(scene.camera, points);
   std::vector<Nearest> nearest(rays.size());
   for (const auto& instance : scene.instances) meet_instance(scene, instance, rays, nearest);
-  for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    meet_light(scene.lights[i], i, scene.camera.position_m, rays, nearest);
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) meet_light(scene.lights[i], i, rays, nearest);
   const auto* first = nearest.data();
   for (std::size_t i = 0; i < regions.size(); first += regions[i].size(), ++i)
     names[i] = of_most(first, regions[i].size());

@@ -10,7 +10,7 @@
 
 namespace orbs::tracer {
 
-std::optional<TrialSize> trial_size(const PinholeCamera& camera,
+std::optional<TrialSize> trial_size(const Camera& camera,
                                     const RenderSettings& settings,
                                     double share,
                                     int images) {
@@ -30,7 +30,7 @@ std::optional<TrialSize> trial_size(const PinholeCamera& camera,
 }
 
 Trial trial_of(World& world, const TrialSize& size, const RenderSettings& settings) {
-  const PinholeCamera camera = world.camera;
+  const Camera camera = world.camera;
   // Records would take longer than the trial saves, and hide the noise that it is to see.
   const auto integrator = world.integrator;
   if (std::holds_alternative<scene::IrradianceCache>(integrator)) world.integrator = scene::PathTracing{};

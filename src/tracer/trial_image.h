@@ -28,7 +28,7 @@ struct TrialSize {
 /// Sizes of `images` trial images of a world, which trace at most `share` of the camera paths of a render
 /// together. A pixel has as many samples as one of the render, as far as that goes: noise that comes from few
 /// bright samples grows otherwise than by their number. Nothing if too little is left to decide by.
-std::optional<TrialSize> trial_size(const PinholeCamera& camera,
+std::optional<TrialSize> trial_size(const Camera& camera,
                                     const RenderSettings& settings,
                                     double share,
                                     int images);

@@ -33,7 +33,8 @@ std::string ball_over_floor(const std::string& material, const std::string& ligh
   return scene_text("[0, 2.5, 6]", "[0, 0.7, 0]", 24, 6,
                     R"("materials": [{"name": "floor", "type": "lambert", "reflectance": [0.8, 0.6, 0.4]},
                                      {"name": "ball", )" +
-                        material + R"(}, {"name": "glow", "type": "emission", "radiance": [6, 6, 6]}],
+                        material + R"(}, {"name": "glow", "type": "emission", "radiance": [6, 6, 6]},
+                                     {"name": "wall", "type": "mirror", "reflectance": [0.9, 0.8, 0.9]}],
                        "meshes": [{"name": "p", "generator": "plane", "half_size": 6, "material": "floor"},
                                   {"name": "s", "generator": "sphere", "radius": 0.8, "segments": 24, "material": "ball"},
                                   {"name": "flat", "generator": "plane", "half_size": 2, "material": "ball"},
@@ -51,6 +52,8 @@ const char* const kGlass = R"("type": "glass", "colour": [1, 0.9, 1], "ior": 1.5
 const char* const kMirror = R"("type": "mirror", "reflectance": [0.9, 0.8, 0.9])";
 const std::string kWall =
     R"(, {"mesh": "flat", "matrix": [{"translate": [-1.5, 1.5, 0]}, {"rotate_z": 80}]})";
+const std::string kMirrorWall =
+    R"(, {"mesh": "flat", "matrix": [{"translate": [-1.5, 1.5, 0]}, {"rotate_z": 80}], "remap": ["ball", "wall"]})";
 const std::string kCube =
     R"(, {"mesh": "cube", "matrix": [{"translate": [1.6, 0.8, 0.5]}, {"rotate_x": 25}, {"rotate_y": 40}]})" +
     kWall;
@@ -60,8 +63,17 @@ struct Scene {
   std::string text;
 };
 
+// The glass ball and a flat mirror beside it, seen by another camera.
+std::string seen_by(const std::string& keys) {
+  auto text = ball_over_floor(kGlass, kMirrorWall + with_light(kRectLight));
+  return text.replace(text.find("\"fov_y\": 40"), 11, keys);
+}
+
 std::vector<Scene> caustic_scenes() {
   return {
+      {"lens", seen_by(R"("fov_y": 40, "focus_distance": 4, "aperture_radius": 0.4)")},
+      {"shifted", seen_by(R"("fov_y": 40, "shift": [0.2, -0.1])")},
+      {"orthographic", seen_by(R"("projection": "orthographic", "view_height": 5)")},
       {"mirror",
        ball_over_floor(R"("type": "mirror", "reflectance": [0.9, 0.9, 0.9])", with_light(kRectLight))},
       {"glass", ball_over_floor(kGlass, with_light(kRectLight))},
@@ -125,6 +137,12 @@ TEST_P(TracerCaustics, AreTheSameFromTheLightAndFromTheCamera) {
 INSTANTIATE_TEST_SUITE_P(Scenes, TracerCaustics, testing::ValuesIn(caustic_scenes()), [](const auto& scene) {
   return std::string(scene.param.name);
 });
+
+TEST(TracerLightPaths, AreNotTracedToALatitudeLongitudeImage) {
+  const auto world = world_of(seen_by(R"("projection": "latitude_longitude")"), true);
+  EXPECT_TRUE(world.caustic_casters.empty());
+  EXPECT_NE(tracer::why_no_light_paths(world).find("latitude-longitude"), std::string::npos);
+}
 
 // From straight above, a glossy floor shows the ball beside it by the tail of its lobe alone. Light counted
 // twice would double it; the tolerance is four standard errors of eight seeds.

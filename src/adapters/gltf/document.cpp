@@ -147,13 +147,31 @@ void write_lights(Writer& out, const std::vector<PunctualLight>& lights, Extensi
   out.end_array().end_object().end_object();
 }
 
-// Without zfar nothing is too far away.
+struct CameraWriter {
+  Writer& out;
+  const Document& document;
+
+  // Without zfar nothing is too far away.
+  void operator()(const scene::Perspective& kind) const {
+    const scene::Camera& camera = document.camera;
+    begin(kind.kType);
+    out.member("aspectRatio", static_cast<double>(camera.width_px) / camera.height_px);
+    out.member("yfov", camera.fov_y_deg * std::numbers::pi / 180).member("znear", document.near_m);
+  }
+  // xmag and ymag are half extents, and zfar is required.
+  void operator()(const scene::Orthographic& kind) const {
+    const auto frame = scene::camera_frame(document.camera);
+    begin(kind.kType);
+    out.member("xmag", frame.half_width).member("ymag", frame.half_height);
+    out.member("znear", 0).member("zfar", document.far_m);
+  }
+  void operator()(const scene::LatitudeLongitude&) const {}  // refused
+  void begin(const char* type) const { out.member("type", type).key(type).begin_object(); }
+};
+
 void write_camera(Writer& out, const Document& document) {
-  const scene::Camera& camera = document.camera;
-  out.key("cameras").begin_array().begin_object().member("type", "perspective");
-  out.key("perspective").begin_object();
-  out.member("aspectRatio", static_cast<double>(camera.width_px) / camera.height_px);
-  out.member("yfov", camera.fov_y_deg * std::numbers::pi / 180).member("znear", document.near_m);
+  out.key("cameras").begin_array().begin_object();
+  std::visit(CameraWriter{out, document}, document.camera.projection);
   out.end_object().end_object().end_array();
 }
 

@@ -58,6 +58,7 @@ struct Document {
   std::string name;
   scene::Camera camera{};
   double near_m = 0;  // glTF's cameras must have one
+  double far_m = 1;   // of an orthographic camera
   int trace_depth = 0;
   Buffer buffer{};
   std::vector<Texture> textures{};

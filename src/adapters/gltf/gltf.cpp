@@ -26,11 +26,14 @@ using gltf::Document;
 
 // Near planes clip, those of ORB.S do not: a millionth of the distance to the farthest point, the resolution
 // of float coordinates there.
-double near_m(const scene::Scene& scene) {
+double near_m(double reach_m) { return 1e-6 * reach_m; }
+
+// No point is farther from the camera.
+double reach_m(const scene::Scene& scene) {
   const auto bounds = rough_bounds(scene);
-  if (!bounds) return 1e-6;
+  if (!bounds) return 1;
   const Vec3d eye = scene.camera.position_m;
-  return 1e-6 * std::max(1.0, 2 * radius_of(joined(*bounds, {eye, eye})));
+  return std::max(1.0, 2 * radius_of(joined(*bounds, {eye, eye})));
 }
 
 // Each material that is shown, with its texture; the indices of the scene's materials go to those of the
@@ -110,8 +113,12 @@ void add_lights(Document& document, const std::vector<scene::Light>& lights) {
 Document document_of(const scene::Scene& scene) {
   scene::Scene shown = lights_as_meshes(scene);
   const auto transforms = gltf::take_texture_transforms(shown);
-  Document document{
-      .name = scene.name, .camera = scene.camera, .near_m = near_m(shown), .trace_depth = scene.trace_depth};
+  const double reach = reach_m(shown);
+  Document document{.name = scene.name,
+                    .camera = scene.camera,
+                    .near_m = near_m(reach),
+                    .far_m = reach,
+                    .trace_depth = scene.trace_depth};
   const auto materials = add_materials(document, shown, transforms);
   for (const MaterialMesh& mesh : material_meshes(shown))
     add_nodes(document, mesh, materials.at(mesh.material));

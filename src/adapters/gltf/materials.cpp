@@ -76,10 +76,13 @@ struct SurfaceWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"D1", "D3"},
+      {"C2", "D1", "D3"},
       {{"B1", "glTF's metals are masked by the separable term"},
        {"B7", "the exporter to glTF does not write it yet"},
        {"B8", "glTF has no Phong reflection"},
+       {"C1", "glTF's cameras are pinholes"},
+       {"C3", "glTF's images are centred on the axis"},
+       {"C4", "glTF has perspective and orthographic cameras"},
        {"D2", "the spots of glTF fall with the square of the cosine's share, not with its smoothstep"},
        {"D4", "glTF has no light with a measured intensity distribution"},
        {"E1", "glTF's metals follow Schlick's formula, not n and k"},

@@ -11,6 +11,7 @@
 #include "adapters/xml_comment.h"
 #include "base/files.h"
 #include "base/nth.h"
+#include "scene/camera_frame.h"
 
 #include <algorithm>
 #include <map>
@@ -32,12 +33,24 @@ namespace {
 using hydra::numbers;
 using hydra::value_node;
 
+// A lens is in focus at the point that it looks at.
+std::string lens_text(const scene::Camera& camera) {
+  return scene::has_lens(camera)
+             ? value_node("enable_dof", 1) + value_node("dof_lens_radius", camera.aperture_radius_m)
+             : "";
+}
+
+Vec3d look_at(const scene::Camera& camera) {
+  if (!scene::has_lens(camera)) return camera.look_at_m;
+  return camera.position_m + scene::camera_frame(camera).forward * camera.focus_distance_m.value();
+}
+
 // The planes do not clip; `near` must not be 0.
 std::string camera_text(const scene::Camera& camera) {
   return "<camera id=\"0\">\n" + value_node("fov", camera.fov_y_deg) +
          value_node("nearClipPlane", camera.near_m) + value_node("farClipPlane", camera.far_m) + "\n" +
          value_node("up", camera.up) + value_node("position", camera.position_m) +
-         value_node("look_at", camera.look_at_m) + "\n</camera>\n";
+         value_node("look_at", look_at(camera)) + lens_text(camera) + "\n</camera>\n";
 }
 
 std::string settings_text(const scene::Camera& camera, int trace_depth) {

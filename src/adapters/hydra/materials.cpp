@@ -82,10 +82,13 @@ struct MaterialWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"D1", "D2", "D3", "D4"},
+      {"C1", "D1", "D2", "D3", "D4"},
       {{"B1", "HydraCore3's material called gltf is another model"},
        {"B7", "HydraCore3's material called gltf has a coat with reflections inside"},
        {"B8", "HydraCore3 has no Phong reflection"},
+       {"C2", "HydraCore3's cameras are perspectives"},
+       {"C3", "HydraCore3's images are centred on the axis"},
+       {"C4", "HydraCore3's cameras are perspectives"},
        {"E1", "HydraCore3's metals have one n and k for all three colours, and its lights reflect nothing"},
        {"E2", "HydraCore3's mode of wavelengths has no spectra for colours"},
        {"E3", "HydraCore3 carries no polarisation"},

@@ -176,10 +176,11 @@ struct BsdfWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"D1", "D2", "D3", "E1", "E2", "E3"},
+      {"C1", "C2", "C3", "D1", "D2", "D3", "E1", "E2", "E3"},
       {{"B1", "Mitsuba's rough metals follow n and k and are masked by the separable term"},
        {"B7", "Mitsuba's principled BSDF is another model"},
        {"B8", "Mitsuba 3 has no Phong reflection"},
+       {"C4", "Mitsuba 3 has no latitude-longitude camera"},
        {"D4", "Mitsuba has no light with a measured intensity distribution"},
        {"E4", "Mitsuba has no fluorescence"},
        {"E5", "Mitsuba has no thin films"},

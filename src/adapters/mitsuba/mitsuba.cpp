@@ -11,6 +11,7 @@
 #include "adapters/xml_comment.h"
 #include "base/files.h"
 #include "base/nth.h"
+#include "scene/camera_frame.h"
 #include "scene/effects/effects.h"
 #include "scene/geometry/ply.h"
 
@@ -63,13 +64,49 @@ ClipDistances clip_distances(const scene::Scene& scene, const std::vector<Materi
   return {2e-6 * std::min(farthest, 1000 * nearest), 2 * farthest};
 }
 
-// Mitsuba's look-at is right-handed as ours, so nothing is flipped. `fov` is along x by default.
+// The plug-in, its own parameters, and what comes before the look-at.
+struct SensorKind {
+  std::string plugin;
+  std::string parameters;
+  std::string scale;
+};
+
+struct SensorKindOf {
+  const scene::Camera& camera;
+
+  // `fov` is along x by default. An offset of the principal point is one of the image's, downwards.
+  SensorKind operator()(const scene::Perspective&) const {
+    std::string text = fmt::format(
+        "<float name=\"fov\" value=\"{}\"/><string name=\"fov_axis\" value=\"y\"/>", camera.fov_y_deg);
+    if (scene::has_lens(camera))
+      return {"thinlens",
+              text + fmt::format("<float name=\"aperture_radius\" value=\"{}\"/>"
+                                 "<float name=\"focus_distance\" value=\"{}\"/>",
+                                 camera.aperture_radius_m, camera.focus_distance_m.value()),
+              ""};
+    if (scene::is_shifted(camera))
+      text += fmt::format(
+          "<float name=\"principal_point_offset_x\" value=\"{}\"/>"
+          "<float name=\"principal_point_offset_y\" value=\"{}\"/>",
+          camera.shift.x, -camera.shift.y);
+    return {"perspective", text, ""};
+  }
+  // The image is 2 wide.
+  SensorKind operator()(const scene::Orthographic&) const {
+    const double half_width = scene::camera_frame(camera).half_width;
+    return {"orthographic", "", fmt::format("<scale x=\"{0}\" y=\"{0}\"/>", half_width)};
+  }
+  SensorKind operator()(const scene::LatitudeLongitude&) const { return {}; }  // refused
+};
+
+// Mitsuba's look-at is right-handed as ours, so nothing is flipped.
 std::string sensor_text(const scene::Camera& camera, ClipDistances clip) {
+  const auto kind = std::visit(SensorKindOf{camera}, camera.projection);
   return fmt::format(
-      "<sensor type=\"perspective\">\n"
-      "  <float name=\"fov\" value=\"{}\"/><string name=\"fov_axis\" value=\"y\"/>\n"
+      "<sensor type=\"{}\">\n"
+      "  {}\n"
       "  <float name=\"near_clip\" value=\"{}\"/><float name=\"far_clip\" value=\"{}\"/>\n"
-      "  <transform name=\"to_world\"><lookat origin=\"{}\" target=\"{}\" up=\"{}\"/></transform>\n"
+      "  <transform name=\"to_world\">{}<lookat origin=\"{}\" target=\"{}\" up=\"{}\"/></transform>\n"
       "  <sampler type=\"independent\"><integer name=\"sample_count\" value=\"$spp\"/><integer "
       "name=\"seed\" value=\"$seed\"/></sampler>\n"
       "  <film type=\"hdrfilm\">\n"
@@ -79,8 +116,8 @@ std::string sensor_text(const scene::Camera& camera, ClipDistances clip) {
       "    <rfilter type=\"box\"/>\n"
       "  </film>\n"
       "</sensor>\n",
-      camera.fov_y_deg, clip.near_m, clip.far_m, vector(camera.position_m), vector(camera.look_at_m),
-      vector(camera.up), camera.width_px, camera.height_px);
+      kind.plugin, kind.parameters, clip.near_m, clip.far_m, kind.scale, vector(camera.position_m),
+      vector(camera.look_at_m), vector(camera.up), camera.width_px, camera.height_px);
 }
 
 // max_depth counts the segments of a path, one more than its scatterings. Russian roulette would only add
@@ -233,7 +270,15 @@ std::string back_limit(const scene::Scene& scene, const MaterialMesh& shown) {
                      shown.mesh.name);
 }
 
+std::string camera_limit(const scene::Camera& camera) {
+  if (scene::has_lens(camera) && scene::is_shifted(camera))
+    return "the camera has a lens that is shifted: Mitsuba's lenses are centred";
+  return "";
+}
+
 std::string stokes_limit(const scene::Scene& scene) {
+  if (scene.outputs.stokes && !scene::is_plain_pinhole(scene.camera))
+    return "the image holds Stokes vectors: the exporter knows Mitsuba's frames for a centred pinhole alone";
   const double turn_deg = mitsuba::stokes_frame_turn_deg(scene.camera);
   if (!scene.outputs.stokes || turn_deg <= mitsuba::kMostFrameTurn_deg) return "";
   return fmt::format(
@@ -264,6 +309,7 @@ std::vector<std::string> mitsuba_limits(const scene::Scene& scene) {
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     note(mitsuba::light_limit(scene.lights[i], scene::display_name("light", scene.lights[i].name, i)));
   for (const MaterialMesh& shown : material_meshes(scene)) note(back_limit(scene, shown));
+  note(camera_limit(scene.camera));
   note(stokes_limit(scene));
   return reasons;
 }

@@ -4,8 +4,11 @@
 #include "adapters/obj/mtl.h"
 #include "base/files.h"
 #include "json/writer.h"
+#include "scene/camera_frame.h"
 
+#include <array>
 #include <set>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -20,6 +23,20 @@ constexpr const char* kConventions =
 constexpr const char* kCameraWords =
     "a pinhole at position that looks at look_at, with up upwards; fov_y_degrees is the whole vertical angle. A "
     "pixel is the mean over its square: a box filter of one pixel. Nothing is clipped near or far";
+constexpr const char* kLensWords =
+    " It is no pinhole but a thin lens: rays begin at all points of a disk of lens_radius_m around position, across "
+    "the view, each as likely, and go through the point that the ray through the middle meets on the plane at "
+    "focus_distance_m along the view";
+constexpr const char* kShiftWords =
+    " The window through which it looks is shifted by shift: in its widths to the right, in its heights upwards";
+constexpr const char* kOrthographicWords =
+    "orthographic: all rays are parallel to the view, from position to look_at, with up upwards, and begin in the "
+    "plane of the position; the image shows view_height_m of that plane. A pixel is the mean over its square: a box "
+    "filter of one pixel. Nothing is clipped near or far";
+constexpr const char* kLatitudeLongitudeWords =
+    "all directions in one image, equirectangular: the view from position to look_at is in the middle, columns are "
+    "even steps of longitude, to the right by half a turn at the right edge, rows of latitude, up at the upper edge. "
+    "A pixel is the mean over its square of the image: a box filter of one pixel. Nothing is clipped near or far";
 constexpr const char* kTraceDepthWords =
     "a light path has at most so many surfaces at which it is reflected or refracted, between the lamp and the "
     "camera; 1 is direct light. Mirrors and glass count. What emits is no such surface";
@@ -59,11 +76,40 @@ struct MaterialWords {
   }
 };
 
+struct CameraWords {
+  const scene::Camera& camera;
+
+  std::string operator()(const scene::Perspective&) const {
+    std::string text = kCameraWords;
+    if (has_lens(camera)) text += std::string(".") + kLensWords;
+    if (is_shifted(camera)) text += std::string(".") + kShiftWords;
+    return text;
+  }
+  std::string operator()(const scene::Orthographic&) const { return kOrthographicWords; }
+  std::string operator()(const scene::LatitudeLongitude&) const { return kLatitudeLongitudeWords; }
+};
+
+struct CameraNumbers {
+  json::Writer& out;
+  const scene::Camera& camera;
+
+  void operator()(const scene::Perspective&) const {
+    out.member("fov_y_degrees", camera.fov_y_deg);
+    if (has_lens(camera))
+      out.member("lens_radius_m", camera.aperture_radius_m)
+          .member("focus_distance_m", camera.focus_distance_m.value());
+    if (is_shifted(camera)) out.key("shift").numbers(std::array{camera.shift.x, camera.shift.y});
+  }
+  void operator()(const scene::Orthographic& kind) const { out.member("view_height_m", kind.height_m); }
+  void operator()(const scene::LatitudeLongitude&) const {}
+};
+
 void write_camera(json::Writer& out, const scene::Camera& camera) {
-  out.key("camera").begin_object().member("in_words", kCameraWords);
+  out.key("camera").begin_object();
+  out.member("in_words", std::visit(CameraWords{camera}, camera.projection));
   out.member("position", camera.position_m).member("look_at", camera.look_at_m).member("up", camera.up);
-  out.member("fov_y_degrees", camera.fov_y_deg).member("width_px", camera.width_px);
-  out.member("height_px", camera.height_px).end_object();
+  std::visit(CameraNumbers{out, camera}, camera.projection);
+  out.member("width_px", camera.width_px).member("height_px", camera.height_px).end_object();
 }
 
 void write_settings(json::Writer& out, const scene::Scene& scene) {

@@ -144,7 +144,7 @@ struct MaterialWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"D1", "D2", "D3", "D4", "E1", "E2", "E6"},
+      {"C1", "C2", "C3", "C4", "D1", "D2", "D3", "D4", "E1", "E2", "E6"},
       {{"B1", "pbrt's metals follow n and k, not Schlick's formula"},
        {"B7", "pbrt has no material of metallic and roughness"},
        {"B8", "pbrt has no Phong reflection"},

@@ -13,10 +13,12 @@
 #include "base/files.h"
 #include "base/nth.h"
 #include "image/image_io.h"
+#include "scene/camera_frame.h"
 #include "scene/effects/effects.h"
 #include "scene/geometry/ply.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <numbers>
@@ -37,6 +39,53 @@ double fov_of_shorter_side_deg(const scene::Camera& camera) {
   return 360 / std::numbers::pi * std::atan(half_height * camera.width_px / camera.height_px);
 }
 
+std::string look_at(const scene::Camera& camera) {
+  return fmt::format("Scale -1 1 1\nLookAt {}  {}  {}\n", numbers(camera.position_m),
+                     numbers(camera.look_at_m), numbers(camera.up));
+}
+
+// Half extents, and the centre.
+std::string screen_window(double half_width, double half_height, Vec2d centre) {
+  return fmt::format(" \"float screenwindow\" [{} {} {} {}]", centre.x - half_width, centre.x + half_width,
+                     centre.y - half_height, centre.y + half_height);
+}
+
+// pbrt's camera space is left-handed: the mirrored x of look_at makes a right-handed image.
+struct CameraTextOf {
+  const scene::Camera& camera;
+  scene::CameraFrame frame;
+
+  // The window is 2 high or wide along the image's shorter side, to which the angle belongs.
+  std::string operator()(const scene::Perspective&) const {
+    const double unit = std::min(frame.half_width, frame.half_height);
+    const auto window = scene::is_shifted(camera)
+                            ? screen_window(frame.half_width / unit, frame.half_height / unit,
+                                            {frame.centre.x / unit, frame.centre.y / unit})
+                            : "";
+    const auto lens = scene::has_lens(camera)
+                          ? fmt::format(" \"float lensradius\" {} \"float focaldistance\" {}",
+                                        camera.aperture_radius_m, camera.focus_distance_m.value())
+                          : "";
+    return fmt::format("{}Camera \"perspective\" \"float fov\" {}{}{}\n", look_at(camera),
+                       fov_of_shorter_side_deg(camera), window, lens);
+  }
+  std::string operator()(const scene::Orthographic&) const {
+    return fmt::format("{}Camera \"orthographic\"{}\n", look_at(camera),
+                       screen_window(frame.half_width, frame.half_height, {}));
+  }
+  // Its images begin at the camera's x and go on to z, y is up. So -x is ours forwards and -z to the right.
+  std::string operator()(const scene::LatitudeLongitude&) const {
+    const std::array axes{-frame.forward, frame.up, -frame.right};
+    std::string matrix;  // column by column
+    for (const auto member : {&Vec3d::x, &Vec3d::y, &Vec3d::z})
+      matrix += fmt::format("{} {} {} 0  ", axes[0].*member, axes[1].*member, axes[2].*member);
+    const auto moved = [&](std::size_t i) { return -dot(axes.at(i), camera.position_m); };
+    return fmt::format(
+        "Transform [{}{} {} {} 1]\nCamera \"spherical\" \"string mapping\" \"equirectangular\"\n", matrix,
+        moved(0), moved(1), moved(2));
+  }
+};
+
 // pbrt moves the world so that its origin is the camera. Floats then resolve the objects before a distant
 // camera no better than its distance, and the image moves by parts of a pixel and more. Beyond 16 times the
 // reach of the scene from its own origin, which takes four of 24 bits, pbrt is told to leave the world where
@@ -56,27 +105,24 @@ std::string frame_text(const scene::Scene& scene, const std::vector<MaterialMesh
   return length(scene.camera.position_m) > 16 * reach_m ? "Option \"rendercoordsys\" \"world\"\n" : "";
 }
 
-// pbrt's camera space is left-handed: the mirrored x makes a right-handed image. With texture filtering off,
-// bilinear interpolation remains; by default pbrt would choose a coarser image far away. Half floats and the
-// clamp of bright samples would change values. The sampler draws exactly as many samples as the command line
-// asks for, each pixel by itself; the default, zsobol, rounds down to a power of two.
+// With texture filtering off, bilinear interpolation remains; by default pbrt would choose a coarser image
+// far away. Half floats and the clamp of bright samples would change values. The sampler draws exactly as
+// many samples as the command line asks for, each pixel by itself; the default, zsobol, rounds down to a
+// power of two.
 std::string head_text(const scene::Scene& scene, bool is_spectral) {
   const scene::Camera& camera = scene.camera;
   const auto size =
       fmt::format("\"integer xresolution\" {} \"integer yresolution\" {}", camera.width_px, camera.height_px);
   return fmt::format(
       "Option \"disabletexturefiltering\" true\n"
-      "Scale -1 1 1\n"
-      "LookAt {}  {}  {}\n"
-      "Camera \"perspective\" \"float fov\" {}\n"
+      "{}"
       "Sampler \"independent\" \"integer pixelsamples\" 64\n"
       "PixelFilter \"box\" \"float xradius\" 0.5 \"float yradius\" 0.5\n"
       "{} \"bool savefp16\" false \"float maxcomponentvalue\" 1e30\n"
       "Integrator \"path\" \"integer maxdepth\" {}\n"  // counts scatterings, as trace_depth
       "WorldBegin\n",
-      numbers(camera.position_m), numbers(camera.look_at_m), numbers(camera.up),
-      fov_of_shorter_side_deg(camera), is_spectral ? "Film \"rgb\" " + size : pbrt::band_film(size),
-      scene.trace_depth);
+      std::visit(CameraTextOf{camera, scene::camera_frame(camera)}, camera.projection),
+      is_spectral ? "Film \"rgb\" " + size : pbrt::band_film(size), scene.trace_depth);
 }
 
 class Writer {

@@ -37,12 +37,50 @@ constexpr int kMostTraceLevels =
 
 // Vectors instead of look_at and angle: POV-Ray's own frame is left-handed and its angle horizontal. `right`
 // has the length of the image's width, `up` of its height, `direction` of the distance of that window.
+struct CameraVectors {
+  std::string kind;  // a line, with its angle
+  Vec3d direction;
+  Vec3d right;
+  Vec3d up;
+  std::string more;
+};
+
+struct CameraText {
+  const scene::Camera& camera;
+  scene::CameraFrame frame;
+
+  // A direction that is oblique to right and up shifts the window.
+  CameraVectors operator()(const scene::Perspective&) const {
+    const double aspect = static_cast<double>(camera.width_px) / camera.height_px;
+    Vec3d direction = frame.forward;
+    if (scene::is_shifted(camera)) direction += frame.right * frame.centre.x + frame.up * frame.centre.y;
+    return {"", direction * (0.5 / frame.half_height), frame.right * aspect, frame.up,
+            scene::has_lens(camera) ? lens() : ""};
+  }
+  CameraVectors operator()(const scene::Orthographic&) const {
+    return {"  orthographic\n", frame.forward, frame.right * (2 * frame.half_width),
+            frame.up * (2 * frame.half_height), ""};
+  }
+  // POV-Ray turns to the left and downwards.
+  CameraVectors operator()(const scene::LatitudeLongitude&) const {
+    return {"  spherical angle 360 180\n", frame.forward, -frame.right, -frame.up, ""};
+  }
+
+  // The width of POV-Ray's disk is half of its aperture, and a variance of 0 takes all of the samples: with
+  // 2000 its irregular grid is a disk to 0.006 of the light, below 37 it is a hexagon.
+  std::string lens() const {
+    constexpr int kSamples = 2000;
+    const Vec3d focus = camera.position_m + frame.forward * camera.focus_distance_m.value();
+    return fmt::format("  aperture {} focal_point {} variance 0 blur_samples {}\n",
+                       4 * camera.aperture_radius_m, vector(focus), kSamples);
+  }
+};
+
 std::string camera_text(const scene::Camera& camera) {
-  const auto frame = scene::camera_frame(camera);
-  const double aspect = static_cast<double>(camera.width_px) / camera.height_px;
-  return fmt::format("camera {{\n  location {}\n  direction {}\n  right {}\n  up {}\n}}\n",
-                     vector(camera.position_m), vector(frame.forward * (0.5 / frame.half_height)),
-                     vector(frame.right * aspect), vector(frame.up));
+  const auto made = std::visit(CameraText{camera, scene::camera_frame(camera)}, camera.projection);
+  return fmt::format("camera {{\n{}  location {}\n  direction {}\n  right {}\n  up {}\n{}}}\n", made.kind,
+                     vector(camera.position_m), vector(made.direction), vector(made.right), vector(made.up),
+                     made.more);
 }
 
 // What a light sheds on a surface needs no gathering, as it is a light_source; the light of the sky and of

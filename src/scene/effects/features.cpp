@@ -1,5 +1,6 @@
 #include "scene/effects/features.h"
 
+#include "scene/camera_frame.h"
 #include "scene/effects/effects.h"
 #include "scene/lights/placement.h"
 #include "scene/motion.h"
@@ -161,6 +162,19 @@ std::vector<CalledFeature> features_of_motion(const Scene& scene) {
   return features;
 }
 
+std::vector<CalledFeature> features_of_camera(const Scene& scene) {
+  std::vector<CalledFeature> features;
+  if (has_lens(scene.camera)) features.push_back({"C1", "the camera has a lens"});
+  if (is_shifted(scene.camera)) features.push_back({"C3", "the camera's lens is shifted"});
+  std::visit(
+      [&](const auto& kind) {
+        const std::string level = kind.kLevel;
+        if (!level.empty()) features.push_back({level, fmt::format("the camera is {}", kind.kWhat)});
+      },
+      scene.camera.projection);
+  return features;
+}
+
 std::vector<CalledFeature> features_of_integrator(const Scene& scene) {
   return std::visit(
       [](const auto& integrator) -> std::vector<CalledFeature> {
@@ -174,7 +188,8 @@ std::vector<CalledFeature> features_called_for(const Scene& scene) {
   std::map<std::string, std::string> found;
   for (const auto& features :
        {features_of_geometry(scene), features_of_materials(scene), features_of_lights(scene),
-        features_of_effects(scene), features_of_motion(scene), features_of_integrator(scene)})
+        features_of_effects(scene), features_of_motion(scene), features_of_camera(scene),
+        features_of_integrator(scene)})
     for (const auto& feature : features) found.try_emplace(feature.requirement, feature.what);
   std::vector<CalledFeature> out;
   for (const auto& [requirement, what] : found) out.push_back({requirement, what});

@@ -21,7 +21,8 @@ struct CalledFeature {
 /// polarisation, E4 fluorescence, E5 thin films, E6 dispersion; S1 quadrics by formula, S2 tori and
 /// superellipsoids, S3 implicit surfaces, S4 solids by CSG, S5 subdivision surfaces, S6 their displacement,
 /// S7 shapes of plug-ins; T1 instances that move, T2 meshes that change their shape, T3 a camera that moves;
-/// I1 ambient occlusion, I2 irradiance caches.
+/// I1 ambient occlusion, I2 irradiance caches; C1 a lens, C2 an orthographic camera, C3 a shifted lens, C4 a
+/// latitude-longitude image.
 std::vector<CalledFeature> features_called_for(const Scene& scene);
 
 /// The parts of features_called_for; one object may call for several requirements, and one requirement may be
@@ -34,6 +35,7 @@ std::vector<CalledFeature> features_of_subdivision(const Scene& scene);
 std::vector<CalledFeature> features_of_materials(const Scene& scene);
 std::vector<CalledFeature> features_of_lights(const Scene& scene);
 std::vector<CalledFeature> features_of_motion(const Scene& scene);
+std::vector<CalledFeature> features_of_camera(const Scene& scene);
 std::vector<CalledFeature> features_of_integrator(const Scene& scene);
 /// E2 to E6 where the scene calls for the effect that they name, E1 for lights that reflect.
 std::vector<CalledFeature> features_of_effects(const Scene& scene);

@@ -18,10 +18,26 @@ namespace {
 
 using json::Writer;
 
+struct WriteProjection {
+  Writer& out;
+  const Camera& camera;
+
+  void operator()(const Perspective&) const {
+    out.member("fov_y", camera.fov_y_deg);
+    if (camera.shift != Vec2d{}) out.key("shift").numbers(std::array{camera.shift.x, camera.shift.y});
+    if (camera.aperture_radius_m > 0) out.member("aperture_radius", camera.aperture_radius_m);
+  }
+  void operator()(const Orthographic& kind) const {
+    out.member("projection", kind.kType).member("view_height", kind.height_m);
+  }
+  void operator()(const LatitudeLongitude& kind) const { out.member("projection", kind.kType); }
+};
+
 void write_camera(Writer& out, const Camera& camera) {
   out.key("camera").begin_object();
   out.member("position", camera.position_m).member("look_at", camera.look_at_m).member("up", camera.up);
-  out.member("fov_y", camera.fov_y_deg).member("width", camera.width_px).member("height", camera.height_px);
+  std::visit(WriteProjection{out, camera}, camera.projection);
+  out.member("width", camera.width_px).member("height", camera.height_px);
   out.member("near", camera.near_m).member("far", camera.far_m);
   if (camera.focus_distance_m) out.member("focus_distance", *camera.focus_distance_m);
   if (camera.shutter != Shutter{})

@@ -174,7 +174,8 @@ std::string lower_geometry(Scene& scene, const Capabilities& capabilities) {
 
 std::variant<Scene, std::string> lower(const Scene& scene, const Capabilities& capabilities) {
   Scene lowered = scene;
-  for (const auto& features : {features_of_integrator(scene), features_of_motion(scene)})
+  for (const auto& features :
+       {features_of_integrator(scene), features_of_motion(scene), features_of_camera(scene)})
     if (auto reason = lacking(features, capabilities); !reason.empty()) return reason;
   for (auto* const step : {lower_materials, lower_effects, lower_lights, lower_geometry})
     if (auto reason = step(lowered, capabilities); !reason.empty()) return reason;

@@ -106,6 +106,7 @@ std::variant<Scene, std::string> with_sheet_below_ground(const Scene& scene, dou
 }
 
 std::variant<Scene, std::string> with_far_camera(const Scene& scene, double factor) {
+  if (!is_plain_pinhole(scene.camera)) return "its camera is no pinhole with a centred image";
   constexpr double kFinest_rad = 1e-6;  // as the reader of scenes demands
   Scene out = scene;
   auto& camera = out.camera;

@@ -25,6 +25,8 @@ void move_camera(Camera& camera, const Mat4& motion, double scale) {
   camera.near_m *= scale;
   camera.far_m *= scale;
   if (camera.focus_distance_m) *camera.focus_distance_m *= scale;
+  camera.aperture_radius_m *= scale;
+  std::visit([&](auto& kind) { orbs::scene::scale(kind, scale); }, camera.projection);
 }
 
 }  // namespace

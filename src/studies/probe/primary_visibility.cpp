@@ -40,7 +40,8 @@ struct View {
   }
   // Direction through a point of the image, in pixels from its upper left corner; z is 1.
   Vec3d camera_direction(double x, double y) const {
-    return {(2 * x / width - 1) * frame.half_width, (1 - 2 * y / height) * frame.half_height, 1};
+    return {(2 * x / width - 1) * frame.half_width + frame.centre.x,
+            (1 - 2 * y / height) * frame.half_height + frame.centre.y, 1};
   }
 };
 
@@ -55,8 +56,8 @@ void bound(const std::array<Vec3d, 3>& corners, const View& view, TriangleSetup&
   double high_y = -low_x;
   for (const Vec3d& c : corners) {
     if (c.z <= 0) return;
-    const double x = (c.x / c.z / view.frame.half_width + 1) * view.width / 2;
-    const double y = (1 - c.y / c.z / view.frame.half_height) * view.height / 2;
+    const double x = ((c.x / c.z - view.frame.centre.x) / view.frame.half_width + 1) * view.width / 2;
+    const double y = (1 - (c.y / c.z - view.frame.centre.y) / view.frame.half_height) * view.height / 2;
     low_x = std::min(low_x, x);
     high_x = std::max(high_x, x);
     low_y = std::min(low_y, y);

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/nth.h"
 #include "image/image_io.h"
+#include "scene/camera_frame.h"
 #include "scene/lower/geometry.h"
 #include "scene/lower/lower.h"
 #include "scene/motion.h"
@@ -107,6 +108,12 @@ ProbeScene make_id_pass(const scene::Scene& original, int most_px) {
                     "without S3 and S4",
                     scene.name, scene::display_name("shape", scene.shapes.front().name, 0),
                     what_is(scene.shapes.front().form)));
+  if (!scene::is_perspective(scene.camera))
+    throw InputError(fmt::format(
+        "scene '{}': the camera is {}, and the probe follows the rays of perspectives; take a scene "
+        "without C2 and C4",
+        scene.name, std::visit([](const auto& kind) { return kind.kWhat; }, scene.camera.projection)));
+  scene.camera.aperture_radius_m = 0;  // blurred numbers would be none: a lens is probed through its middle
   scene::drop_spectra(scene);
   scene.outputs = {};
   for (auto& light : scene.lights) light.reflectance = {};

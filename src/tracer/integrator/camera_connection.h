@@ -62,46 +62,58 @@ std::optional<CameraConnection<T>> scattered_to_camera(const World& world,
 }
 
 /// Appends a ray from the hit of the light path to the camera, with the splat that it adds if not blocked.
+/// `camera` is that of the world, of a lens the one at the path's point of it.
 template <TracesFromLights T>
 void connect_to_camera(LightPathBatch<T>& batch,
                        const World& world,
+                       const Camera& camera,
                        const LightPath<T>& path,
                        const SurfaceHit& surface) {
-  const CameraProjection projection = project(world.camera, surface.point.position);
+  const CameraProjection projection = project(camera, surface.point.position);
   if (!(projection.importance > 0)) return;
-  const Vec3f to_camera = normalised(world.camera.position - surface.point.position);
+  const Vec3f to_camera = normalised(projection.viewpoint - surface.point.position);
   const auto found = scattered_to_camera(world, path, surface, to_camera, projection.importance);
   if (!found) return;
-  batch.camera_rays.push_back({found->origin, world.camera.position - found->origin, 1});
+  batch.camera_rays.push_back({found->origin, projection.viewpoint - found->origin, 1});
   batch.camera_payloads.push_back(
       {projection.pixel, found->events.index(), T::to_rgb(found->throughput * path.emitted, path.lambda)});
+}
+
+/// Where the ray of the camera begins that sees a point in the mirror, as the mirrored camera does from
+/// behind it: the camera's own position but where its rays are parallel.
+inline Vec3f viewpoint_before(const MirrorPlane& plane,
+                              const Camera& camera,
+                              const CameraProjection& projection) {
+  return std::holds_alternative<Orthographic>(camera.kind) ? mirrored(plane, projection.viewpoint)
+                                                           : camera.position;
 }
 
 /// The same by way of every flat mirror that has both the surface and the camera in front of it.
 template <TracesFromLights T>
 void connect_to_camera_by_mirrors(LightPathBatch<T>& batch,
                                   const World& world,
+                                  const Camera& camera,
                                   std::uint32_t index,
                                   const SurfaceHit& surface) {
   const LightPath<T>& path = batch.paths[index];
   if (path.scatterings + 2 > world.trace_depth) return;  // this event and the mirror
   for (std::size_t i = 0; i < world.mirror_planes.size(); ++i) {
     const MirrorPlane& plane = world.mirror_planes[i];
+    if (!(height_over(plane, surface.point.position) > 0)) continue;
+    const CameraProjection projection = project(mirrored(plane, camera), surface.point.position);
+    if (!(projection.importance > 0)) continue;
     // The camera is tested as in note_near_specular, so that exactly one of camera and light paths adds each
     // contribution. The point needs no tolerance: what camera paths see of it in the mirror, they leave to
     // light paths at every height over the plane.
-    if (!is_in_front(plane, world.camera.position) || !(height_over(plane, surface.point.position) > 0))
-      continue;
-    const PinholeCamera camera = mirrored(plane, world.camera);
-    const CameraProjection projection = project(camera, surface.point.position);
-    if (!(projection.importance > 0)) continue;
-    const Vec3f to_camera = normalised(camera.position - surface.point.position);
+    const Vec3f viewpoint = viewpoint_before(plane, camera, projection);
+    if (!is_in_front(plane, viewpoint)) continue;
+    const Vec3f to_camera = normalised(projection.viewpoint - surface.point.position);
     auto found = scattered_to_camera(world, path, surface, to_camera, projection.importance);
     if (!found) continue;
     found->events.prepend(Event::Specular, false);
     batch.mirror_rays.push_back({found->origin, to_camera});
     batch.mirror_payloads.push_back(
-        {found->throughput, index, projection.pixel, static_cast<int>(i), found->events.index()});
+        {found->throughput, viewpoint, index, projection.pixel, static_cast<int>(i), found->events.index()});
   }
 }
 
@@ -116,11 +128,11 @@ void resolve_mirror_rays(LightPathBatch<T>& batch, const World& world) {
     const auto found =
         mirror_hit<T>(world, batch.mirror_rays[i], batch.mirror_hits[i], payload.plane, path.lambda);
     if (!found) continue;
-    const Vec3f to_camera = world.camera.position - found->point.position;
+    const Vec3f to_camera = payload.viewpoint - found->point.position;
     const Vec3f origin = offset_origin(found->point.position, found->point.position_error,
                                        found->point.geometric_normal, to_camera);
     const auto throughput = found->reflectance * payload.throughput;
-    batch.camera_rays.push_back({origin, world.camera.position - origin, 1});
+    batch.camera_rays.push_back({origin, payload.viewpoint - origin, 1});
     batch.camera_payloads.push_back(
         {payload.pixel, payload.path_class, T::to_rgb(throughput * path.emitted, path.lambda)});
   }

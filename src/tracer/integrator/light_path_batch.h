@@ -40,6 +40,7 @@ struct LightPath {
 template <TracesFromLights T>
 struct CameraMirrorPayload {
   typename T::Value throughput{};  // from the light up to the mirror
+  Vec3f viewpoint;                 // of the camera, before the mirror
   std::uint32_t path = 0;
   std::uint32_t pixel = 0;
   int plane = 0;

@@ -41,8 +41,8 @@ void note_near_specular(PathState<T>& path,
                         const SurfaceMaterial& material,
                         int mirror_plane) {
   if (path.scatterings == 0)
-    path.began_at_flat_mirror =
-        mirror_plane >= 0 && is_in_front(nth(world.mirror_planes, mirror_plane), world.camera.position);
+    path.began_at_flat_mirror = mirror_plane >= 0 && is_in_front(nth(world.mirror_planes, mirror_plane),
+                                                                 viewpoint_of(world.camera, path.ray));
   const bool is_first = is_at_first_surface(path);
   path.near_specular_beyond_first = material.is_near_specular && !is_first;
   if (is_first) path.is_reached_by_light_paths = !material.is_near_specular;

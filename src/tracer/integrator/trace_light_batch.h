@@ -5,6 +5,7 @@
 #include "tracer/integrator/camera_connection.h"
 
 #include <cstdint>
+#include <optional>
 
 /// Light tracing, for paths that camera paths sample badly: the light first meets a near-specular surface
 /// (SurfaceMaterial::is_near_specular), and the surface that the camera sees, directly or in a flat mirror,
@@ -76,8 +77,14 @@ bool shade_light_path_hit(
   // Camera paths sample this light themselves, by way of the mirror (sample_mirrored_light.h).
   if (path.scatterings == 1 && path.began_at_flat_mirror && !material.is_delta) return false;
   if (path.scatterings > 0 && !material.is_delta) {
-    connect_to_camera<T>(batch, world, path, {point, material, hit});
-    connect_to_camera_by_mirrors<T>(batch, world, index, {point, material, hit});
+    std::optional<Camera> at_lens;
+    if (has_lens(world.camera)) {
+      const auto u = draw(block, path.index, 0, SampleDimension::Lens);
+      at_lens = seen_through(world.camera, u[0], u[1]);
+    }
+    const Camera& camera = at_lens ? *at_lens : world.camera;
+    connect_to_camera<T>(batch, world, camera, path, {point, material, hit});
+    connect_to_camera_by_mirrors<T>(batch, world, camera, index, {point, material, hit});
   }
   return scatter_light<T>(path, block, world, {point, material, hit});
 }

@@ -26,10 +26,8 @@ class CandidateVisitor {
     const int scatterings = batch.paths[path].scatterings;
     // Interreflection needs one more scattering than direct light.
     if (cached_bsdf(vertices, lane) == nullptr || scatterings + 1 >= world_.trace_depth) return false;
-    const PinholeCamera& camera = world_.camera;
-    const float pixel = 2 * length(camera.right) / static_cast<float>(camera.width);
     found_.push_back({element_at(vertices, lane), lane_of(vertices.geometric_normal, lane), samples_[path].x,
-                      samples_[path].y, scatterings, pixel * travelled_[path]});
+                      samples_[path].y, scatterings, pixel_width(world_.camera, travelled_[path])});
     return false;
   }
 

@@ -52,6 +52,7 @@ int pair_of(SampleDimension dimension) {
   switch (dimension) {
     case SampleDimension::PixelAndFirstLight:
     case SampleDimension::Scatter:
+    case SampleDimension::Lens:
       return 0;
     case SampleDimension::Light:
     case SampleDimension::MirroredLight:

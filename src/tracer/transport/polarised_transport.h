@@ -29,10 +29,11 @@ struct PolarisedTransport : S {
   static constexpr bool kHasStokes = kRows == 4;
 
   /// The camera's reference frame: x points to the right of the image, seen by a viewer who faces the source.
-  static Throughput start(const PinholeCamera& camera, const Ray& ray) {
+  static Throughput start(const Camera& camera, const Ray& ray) {
     Throughput out;
     for (std::size_t k = 0; k < kRows; ++k) out.row[k][k] = Float4{1, 1, 1, 1};
-    out.x = normalised(camera.right - ray.direction * dot(ray.direction, camera.right));
+    const Vec3f right = image_right(camera, ray);
+    out.x = normalised(right - ray.direction * dot(ray.direction, right));
     out.is_scalar = kRows == 1;
     return out;
   }

@@ -25,7 +25,7 @@ struct RgbTransport {
   static void terminate_secondary(Lambda, const Throughput&) {}
   static Value reflectance(const World&, const Colour& colour, Lambda) { return colour.rgb; }
   static Value radiance(const World&, const Radiance& radiance, Lambda) { return radiance.rgb; }
-  static Throughput start(const PinholeCamera&, const Ray&) { return {1, 1, 1}; }
+  static Throughput start(const Camera&, const Ray&) { return {1, 1, 1}; }
   static Throughput chain(Throughput path, Value factor, const auto&) { return path * factor; }
   static Throughput scaled(Throughput path, float factor) { return path * factor; }
   static Contribution contribute(Throughput path, Value light) { return path * light; }

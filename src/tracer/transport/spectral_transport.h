@@ -64,7 +64,7 @@ struct SpectralTransport {
                                  : spectrum_at(world, radiance.spectrum, lambda) * radiance.share;
   }
 
-  static Throughput start(const PinholeCamera&, const Ray&) { return Float4{1, 1, 1, 1}; }
+  static Throughput start(const Camera&, const Ray&) { return Float4{1, 1, 1, 1}; }
   static Throughput chain(Throughput path, Value factor, const auto&) { return path * factor; }
   static Throughput scaled(Throughput path, float factor) { return path * factor; }
   static Contribution contribute(Throughput path, Value light) { return path * light; }

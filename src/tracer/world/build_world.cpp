@@ -145,6 +145,8 @@ std::string why_no_light_paths(const World& world) {
   if (!std::holds_alternative<scene::PathTracing>(world.integrator))
     return "an irradiance cache keeps the light that they would carry";
   if (world.shutter) return "they would meet the camera's paths at a time of their own, and something moves";
+  if (std::holds_alternative<LatitudeLongitude>(world.camera.kind))
+    return "a latitude-longitude image magnifies without bound towards its poles, and so their noise";
   if (world.emitters.empty()) return "the scene has no light or finite emitter that they could start at";
   // Of the transport, not of the materials: one that no surface shows must change nothing.
   if (scene::covers(world.transport, scene::LightTransport::Polarised))

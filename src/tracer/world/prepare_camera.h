@@ -7,7 +7,7 @@
 namespace orbs::tracer {
 
 /// Of a camera at rest, with coordinates relative to the origin.
-PinholeCamera prepare_camera(const scene::Camera& camera, const scene::Extent& extent, Vec3d origin);
+Camera prepare_camera(const scene::Camera& camera, const scene::Extent& extent, Vec3d origin);
 
 /// What the camera is prepared from for each path anew where it moves.
 struct MovingCamera {
@@ -17,6 +17,6 @@ struct MovingCamera {
 };
 
 /// The camera at this time, for an image of the size of `start`.
-PinholeCamera camera_at(const MovingCamera& moving, const PinholeCamera& start, float time);
+Camera camera_at(const MovingCamera& moving, const Camera& start, float time);
 
 }  // namespace orbs::tracer

@@ -25,7 +25,7 @@ namespace orbs::tracer {
 /// The scene as the path loop reads it: single precision, world space, names and defaults resolved.
 /// build_world.h makes it.
 struct World {
-  PinholeCamera camera;
+  Camera camera;
   std::optional<scene::Shutter> shutter;                         // of a scene in which something moves
   std::optional<MovingCamera> moving_camera;                     // `camera` is then that of the start
   scene::LightTransport transport = scene::LightTransport::Rgb;  // what its paths carry

@@ -66,6 +66,17 @@ TEST(PrimaryVisibility, ATriangleCoversThePixelsThatItIsProjectedOn) {
   EXPECT_EQ(things_in(scene, 11, 7), (std::set<int>{kNoObject, 0}));  // the diagonal
 }
 
+// The window has moved by four of 16 pixels to the right and by two down.
+TEST(PrimaryVisibility, AShiftedWindowMovesTheTriangleTheOtherWay) {
+  auto scene = empty_view(16);
+  scene.camera.shift = {0.25, -0.125};
+  add_triangle(scene, {Vec3f{-4, 0, -8}, Vec3f{4, 0, -8}, Vec3f{-4, 8, -8}});
+  EXPECT_EQ(things_in(scene, 1, 4), std::set<int>{0});
+  EXPECT_EQ(things_in(scene, 7, 5), (std::set<int>{kNoObject, 0}));
+  EXPECT_EQ(things_in(scene, 5, 6), (std::set<int>{kNoObject, 0}));
+  EXPECT_EQ(things_in(scene, 5, 7), std::set<int>{kNoObject});
+}
+
 TEST(PrimaryVisibility, TheNearerOneHidesTheOther) {
   auto scene = empty_view(8);
   add_triangle(scene, {Vec3f{-90, -90, -9}, Vec3f{90, -90, -9}, Vec3f{0, 90, -9}});

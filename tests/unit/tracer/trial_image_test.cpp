@@ -10,8 +10,8 @@ namespace {
 constexpr double kShare = 0.07;
 constexpr int kImages = 6;
 
-tracer::PinholeCamera camera_of(int width, int height) {
-  tracer::PinholeCamera camera{};
+tracer::Camera camera_of(int width, int height) {
+  tracer::Camera camera{};
   camera.width = width;
   camera.height = height;
   return camera;
