@@ -13,7 +13,11 @@ using registry::AnalyticLight;
 using registry::DirectLight;
 using registry::FlatPolygon;
 
-DirectLight lit_by(AnalyticLight light) { return {.lights = {std::move(light)}}; }
+DirectLight lit_by(AnalyticLight light) {
+  DirectLight image;
+  image.lights = {std::move(light)};
+  return image;
+}
 
 const Vec3d kUp{0, 1, 0};
 
@@ -21,7 +25,7 @@ TEST(AnalyticLights, FollowTheInverseSquareAndTheCosine) {
   const auto point = lit_by({.position = Vec3d{3, 4, 0}, .strength = 10});
   EXPECT_NEAR(irradiance_of_lights(point, {}, kUp), 10 * 4.0 / 125, 1e-14);
   EXPECT_EQ(irradiance_of_lights(point, {}, {0, -1, 0}), 0);
-  const auto afar = lit_by({.direction = {0.6, -0.8, 0}, .strength = 10});
+  const auto afar = lit_by({.position = {}, .direction = {0.6, -0.8, 0}, .strength = 10});
   EXPECT_NEAR(irradiance_of_lights(afar, {7, 0, -3}, kUp), 8, 1e-14);
 }
 

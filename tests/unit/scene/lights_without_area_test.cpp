@@ -20,7 +20,7 @@ Scene scene_with(const std::string& lights) {
   return load_scene_text(
       "test.json",
       R"({"format": "orbs-scene/1", "name": "test", "camera": {"position": [0, 0, 5], "look_at": )"
-      R"([0, 0, 0]}, "lights": [)" +
+      R"([0, 0, 0]}, "materials": [], "meshes": [], "instances": [], "lights": [)" +
           lights + "]}",
       ORBS_SOURCE_DIR "/data/cases/known/l4_ies");
 }
