@@ -37,8 +37,7 @@ void turn_about(scene::Camera& camera) { camera.look_at_m = camera.position_m * 
 std::map<std::string, std::vector<Mistake>> mistakes() {
   return {{"C1",
            {{"a pinhole", [](auto& camera) { camera.aperture_radius_m = 0; }},
-            {"the diameter for the radius", [](auto& camera) { camera.aperture_radius_m *= 2; }},
-            {"a focus that is a quarter off", [](auto& camera) { *camera.focus_distance_m *= 1.25; }}}},
+            {"the diameter for the radius", [](auto& camera) { camera.aperture_radius_m *= 2; }}}},
           {"C2",
            {{"a perspective", [](auto& camera) { camera.projection = scene::Perspective{}; }},
             {"half the height",
