@@ -101,11 +101,11 @@ TEST(Spot, FallsByASmoothstepOfTheCosine) {
       {0, 1}, {14.9, 1}, {20, 0.82935}, {22.5, 0.61769}, {25, 0.35665}, {28, 0.07636}, {30.1, 0}};
   for (const auto& [angle, share] : table) {
     const Vec3d seen{std::tan(angle * kPi / 180), 0, 0};
-    const auto image = image_of(lit_floor(seen, spot({0, 1, 0}, 0, 15, 30)), 1);
+    // At 28 degrees the image's width of 0.01 degrees is 0.6 % of the value, of which 64 samples leave some
+    // percent; the table is rounded by 7e-5 of it.
+    const auto image = image_of(lit_floor(seen, spot({0, 1, 0}, 0, 15, 30)), 64);
     const double expected = share * lit_by_point(seen, {0, 1, 0}, 1);
-    // At 28 degrees the image's width of 0.01 degrees is 0.6 % of the value, and 64 samples leave 1e-4 of
-    // that.
-    EXPECT_NEAR(mean_of(image, "G"), expected, 5e-4 * expected + 1e-6) << angle;
+    EXPECT_NEAR(mean_of(image, "G"), expected, 2e-4 * expected + 1e-6) << angle;
   }
 }
 
@@ -272,7 +272,8 @@ TEST(LightsWithoutArea, ShineByFlatMirrorsAlongLightPaths) {
     expect_same_means(by_light_paths, by_mirrors, light);
     const auto neither =
         image_of(beside_mirror(view, light), 64, {.light_paths = false, .mirrored_light = false});
-    EXPECT_LT(mean_of(neither, "G"), 0.97 * mean_of(by_mirrors, "G")) << light;
+    // The mirror brings 2.95 % of the point's light that is seen, by the inverse squares of both distances.
+    EXPECT_LT(mean_of(neither, "G"), 0.98 * mean_of(by_mirrors, "G")) << light;
   }
 }
 
