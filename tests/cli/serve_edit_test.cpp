@@ -17,7 +17,9 @@ Answer click(const Sandbox& sandbox, const std::string& reason, const std::strin
   const auto program = orbs::shell_text({ORBS_BINARY_DIR "/orbs"});
   const auto client =
       orbs::shell_text({"/usr/bin/python3", ORBS_SOURCE_DIR "/tests/cli/serve_edit_client.py"});
-  return sandbox.shell(program + " serve --edit out > served 2> served-errors & server=$!; " +
+  // An address of a server before would be taken for that of this one.
+  return sandbox.shell("rm -f served; " + program +
+                       " serve --edit out > served 2> served-errors & server=$!; " +
                        "for i in $(seq 200); do grep -q edit= served && break; sleep 0.05; done; " + client +
                        " \"$(grep -o 'http:[^ ]*' served)\" dark grey " + orbs::shell_text({reason, until}) +
                        "; status=$?; kill $server; wait $server; exit $status");

@@ -42,9 +42,7 @@ struct TypeWriter {
   std::string operator()(const scene::SpotShape&) const {
     return R"(type="point" shape="point" distribution="spot")";
   }
-  std::string operator()(const scene::DirectionalShape&) const {
-    return R"(type="directional")";
-  }
+  std::string operator()(const scene::DirectionalShape&) const { return R"(type="directional")"; }
   template <typename Area>
   std::string operator()(const Area&) const {
     return fmt::format(R"(type="area" shape="{}")", Area::kType);

@@ -4,8 +4,9 @@
 
 #include <vector>
 
-/// Primary visibility of a scene through a perspective, of a lens through its middle, computed in double precision by testing all triangles. It shares no code
-/// with any renderer, so that it can judge them. Slow; meant for small images.
+/// Primary visibility of a scene through a perspective, of a lens through its middle, computed in double
+/// precision by testing all triangles. It shares no code with any renderer, so that it can judge them. Slow;
+/// meant for small images.
 namespace orbs::studies {
 
 /// The background, or the black back of a light.

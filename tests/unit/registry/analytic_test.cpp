@@ -65,7 +65,7 @@ TEST(AnalyticCases, MistakesAreNamed) {
   EXPECT_NE(analytic(R"("formula": "constnat", "value": [1,1,1])").find("did you mean"), std::string::npos);
   EXPECT_NE(analytic(R"("formula": "constant", "value": [1,1])").find("value"), std::string::npos);
   EXPECT_NE(analytic(R"("formula": "albedo_ball", "centre": [0,0,0], "radius": 1, "reflectance": 1)")
-                .find("needs either 'oren_nayar_roughness' or 'ggx_alpha'"),
+                .find("needs one of 'oren_nayar_roughness', 'ggx_alpha', 'metal_alpha'"),
             std::string::npos);
   EXPECT_NE(analytic(R"("formula": "direct_light", "surfaces": [])").find("at least one surface"),
             std::string::npos);

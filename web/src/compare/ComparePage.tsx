@@ -92,6 +92,17 @@ function useComparison({ source }: Session, { before, after }: Sides): Received<
   );
 }
 
+/** A run after that is older than the run before. */
+function Order({ a, b }: { a: Overview; b: Overview }) {
+  if (a.run.started <= b.run.started) return null;
+  return (
+    <p class="tone-unsure">
+      The run before was started later ({a.run.started.replace("T", " ")}) than the run after (
+      {b.run.started.replace("T", " ")}).
+    </p>
+  );
+}
+
 /** The changes, once both sides are loaded. */
 function Compared({ session, sides: { before, after }, metric }: ComparedProps) {
   const [a, b] = [before.received.value, after.received.value];
@@ -129,12 +140,7 @@ function Compared({ session, sides: { before, after }, metric }: ComparedProps) 
           <b>Settings that differ:</b> {settings.join("; ")}.
         </p>
       ) : null}
-      {before.run !== after.run && a.run.started > b.run.started ? (
-        <p class="tone-unsure">
-          The run before was started later ({a.run.started.replace("T", " ")}) than the run after (
-          {b.run.started.replace("T", " ")}).
-        </p>
-      ) : null}
+      {before.run !== after.run ? <Order a={a} b={b} /> : null}
       {comparison ? <Numbers comparison={comparison} /> : null}
       {problem === undefined ? null : (
         <p class="quiet">Verdicts alone are compared, no numbers: {problem}.</p>
