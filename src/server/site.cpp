@@ -144,16 +144,21 @@ void send_target(ServedRun& run,
   send_text(request, packed_text(*text), kJson, response);
 }
 
+// The run or study that "3.json" names; null if there is none of that kind.
+template <class Kind>
+const std::unique_ptr<Kind>* served_named(Site& site, std::string_view name) {
+  const auto number = to_integer(name.ends_with(".json") ? name.substr(0, name.size() - 5) : name);
+  if (!number || *number < 0 || static_cast<std::size_t>(*number) >= site.runs.size()) return nullptr;
+  return std::get_if<std::unique_ptr<Kind>>(&nth(site.runs, *number));
+}
+
 // What `orbs compare-runs` says of two runs, or of one renderer of each.
 void send_comparison(Site& site,
                      ServedRun& after,
                      std::string_view name,
                      const httplib::Request& request,
                      httplib::Response& response) {
-  const auto number = to_integer(name.ends_with(".json") ? name.substr(0, name.size() - 5) : name);
-  const auto* const before = number && *number >= 0 && static_cast<std::size_t>(*number) < site.runs.size()
-                                 ? std::get_if<std::unique_ptr<ServedRun>>(&nth(site.runs, *number))
-                                 : nullptr;
+  const auto* const before = served_named<ServedRun>(site, name);
   if (before == nullptr) return refuse(response, 404, "there is no such run");
   const auto old_renderer = request.get_param_value("ra");
   const auto new_renderer = request.get_param_value("rb");
@@ -171,10 +176,7 @@ void send_cost_changes(Site& site,
                        std::string_view name,
                        const httplib::Request& request,
                        httplib::Response& response) {
-  const auto number = to_integer(name.ends_with(".json") ? name.substr(0, name.size() - 5) : name);
-  const auto* const before = number && *number >= 0 && static_cast<std::size_t>(*number) < site.runs.size()
-                                 ? std::get_if<std::unique_ptr<ServedStudy>>(&nth(site.runs, *number))
-                                 : nullptr;
+  const auto* const before = served_named<ServedStudy>(site, name);
   if (before == nullptr || (*before)->kind() != results::kCost.name || after.kind() != results::kCost.name)
     return refuse(response, 404, "there is no such study of cost");
   const auto read = [](const ServedStudy& study) {

@@ -1,29 +1,16 @@
 // The cases of cameras, whose right images are known: the tracer shows them, and other cameras fail.
-#include "judge/judge.h"
-#include "registry/cases.h"
+#include "property/judged_case.h"
 #include "registry/configuration.h"
 #include "scene/load/load_scene.h"
-#include "tracer/render.h"
-#include "tracer/world/build_world.h"
 
-#include <atomic>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <numbers>
 
-#include <gtest/gtest.h>
-
 using namespace orbs;
 
 namespace {
-
-image::Image rendered(const scene::Scene& scene, int spp) {
-  const std::atomic<bool> never{false};
-  return tracer::render(tracer::make_world(scene), {.samples_per_pixel = spp}, never,
-                        [](const tracer::Progress&) {})
-      .image;
-}
 
 using Change = std::function<void(scene::Camera&)>;
 struct Mistake {
@@ -63,18 +50,7 @@ class CameraCases : public testing::Test {
   results::Verdict verdict(const registry::Case& one_case,
                            const std::string& target,
                            const scene::Scene& scene) {
-    const auto reference = judge::load_reference(one_case, target, suite_.references);
-    EXPECT_TRUE(reference.image) << reference.problem;
-    results::TargetRecord record;
-    constexpr int kMost = 1 << 14;
-    for (int spp = 256; reference.image && spp <= kMost; spp *= 4) {
-      record = {};
-      record.target = target;
-      judge::judge_image(one_case, rendered(scene, spp), reference, {1, judge::Measured::ForTheVerdict},
-                         record);
-      if (record.verdict != results::Verdict::Inconclusive) break;
-    }
-    return record.verdict;
+    return tests::judged(one_case, target, scene, suite_.references).verdict;
   }
 
   registry::Suite suite_ =
@@ -114,8 +90,8 @@ TEST(ShiftedCamera, ShowsAPartOfALargerImage) {
   larger.camera.shift = {};
   larger.camera.fov_y_deg =
       2 * std::atan(2 * std::tan(scene.camera.fov_y_deg * std::numbers::pi / 360)) * 180 / std::numbers::pi;
-  const auto small = rendered(scene, 1024);
-  const auto large = rendered(larger, 1024);
+  const auto small = tests::rendered(scene, 1024);
+  const auto large = tests::rendered(larger, 1024);
   const int x0 = scene.camera.width_px / 2 + scene.camera.width_px / 4;
   const int y0 = scene.camera.height_px / 2 + scene.camera.height_px / 8;
   for (int y = 0; y < scene.camera.height_px; ++y)
