@@ -149,11 +149,12 @@ def checked_material(material):
 
 def load_texture(texture):
     place = f"texture '{texture.get('name')}'"
-    checked(texture, place, ["name", "file"], ["wrap_u", "wrap_v"])
+    checked(texture, place, ["name", "file"], ["wrap_u", "wrap_v", "filter", "encoding"])
     wraps = texture.get("wrap_u", "repeat"), texture.get("wrap_v", "repeat")
-    if not set(wraps) <= {"repeat", "clamp"}:
-        raise SceneError(f"{place}: wrap must be repeat or clamp")
-    return cycles_materials.load_texture(texture["file"]), wraps
+    if not set(wraps) <= {"repeat", "clamp", "mirror"}:
+        raise SceneError(f"{place}: wrap must be repeat, clamp or mirror")
+    image = cycles_materials.load_texture(texture["file"], texture.get("encoding", "srgb"))
+    return cycles_materials.Texture(image, wraps, texture.get("filter", "linear"))
 
 
 def make_material(description, around):

@@ -77,7 +77,16 @@ def srgb_to_linear(value):
     return value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4
 
 
-def load_texture(path):
+@dataclass
+class Texture:
+    """An image as the scene wraps ("repeat", "clamp" or "mirror" of u and v) and filters it ("linear", "nearest")."""
+
+    image: object
+    wraps: tuple
+    filter: str
+
+
+def load_texture(path, encoding="srgb"):
     """Loads the file as linear float texels, so that Cycles filters after the decoding and not before."""
     source = bpy.data.images.load(path)
     source.colorspace_settings.name = "Non-Color"
@@ -87,7 +96,7 @@ def load_texture(path):
         raise ValueError(f"{path}: Blender cannot read this image")
     texels = array("f", bytes(4 * 4 * width * height))
     source.pixels.foreach_get(texels)
-    if not path.lower().endswith(FLOAT_FORMATS):
+    if encoding == "srgb" and not path.lower().endswith(FLOAT_FORMATS):
         decode = (lambda v: srgb_to_linear(v)) if source.is_float else (lambda v: SRGB_BYTES[round(v * 255)])
         for channel in range(3):
             texels[channel::4] = array("f", map(decode, texels[channel::4]))
@@ -109,24 +118,28 @@ def float_image(name, width, height, texels):
 
 
 def sampled_texture(shader, use, textures):
-    """Colour socket of a texture use {name, matrix}. Blender wraps both axes alike, so a single clamped axis is clamped
-    to its outermost texel centres by nodes, which is the same thing."""
-    image, wraps = textures[use["name"]]
+    """Colour socket of a texture use {name, matrix}. Blender wraps both axes alike and mirrors none, so a mirrored axis
+    is folded to [0, 1] by nodes; it, and a single clamped axis, is clamped to its outermost texel centres, beyond which
+    the edge texels stand alone: the same thing."""
+    image, wraps = textures[use["name"]].image, textures[use["name"]].wraps
     m = use["matrix"]
     uv = shader.node("ShaderNodeUVMap", uv_map="uv").outputs["UV"]
     coordinates = [shader.affine(uv, (m[0], m[1], 0.0), m[3]), shader.affine(uv, (m[4], m[5], 0.0), m[7])]
-    if wraps[0] != wraps[1]:
-        axis = wraps.index("clamp")
-        edge = 0.5 / image.size[axis]
-        coordinates[axis] = shader.math("MINIMUM", shader.math("MAXIMUM", coordinates[axis], edge), 1 - edge)
+    for axis, wrap in enumerate(wraps):
+        if wrap == "mirror":
+            coordinates[axis] = shader.math("PINGPONG", coordinates[axis], 1.0)
+        if wrap == "mirror" or (wrap == "clamp" and wraps != ("clamp", "clamp")):
+            edge = 0.5 / image.size[axis]
+            coordinates[axis] = shader.math("MINIMUM", shader.math("MAXIMUM", coordinates[axis], edge), 1 - edge)
     vector = shader.node("ShaderNodeCombineXYZ", {"X": coordinates[0], "Y": coordinates[1]}).outputs["Vector"]
     extension = "EXTEND" if wraps == ("clamp", "clamp") else "REPEAT"
-    return image_lookup(shader, image, vector, extension)
+    interpolation = "Closest" if textures[use["name"]].filter == "nearest" else "Linear"
+    return image_lookup(shader, image, vector, extension, interpolation)
 
 
-def image_lookup(shader, image, vector, extension):
-    node = shader.node("ShaderNodeTexImage", {"Vector": vector}, image=image, interpolation="Linear", extension=extension)
-    return node.outputs["Color"]
+def image_lookup(shader, image, vector, extension, interpolation="Linear"):
+    properties = {"image": image, "interpolation": interpolation, "extension": extension}
+    return shader.node("ShaderNodeTexImage", {"Vector": vector}, **properties).outputs["Color"]
 
 
 def coloured(shader, colour, use, textures):

@@ -100,8 +100,9 @@ std::string spectral_texture_limit(const scene::Texture& texture, const char* re
 
 std::string wrap_limit(const scene::Texture& texture, const char* renderer) {
   if (texture.wrap_u == texture.wrap_v) return "";
-  return fmt::format("texture '{}' is clamped along one axis only: {} has one rule for both", texture.name,
-                     renderer);
+  const bool is_clamped = texture.wrap_u == scene::Wrap::Clamp || texture.wrap_v == scene::Wrap::Clamp;
+  return fmt::format("texture '{}' is {} along one axis only: {} has one rule for both", texture.name,
+                     is_clamped ? "clamped" : "mirrored", renderer);
 }
 
 }  // namespace orbs::adapters

@@ -1,5 +1,6 @@
 #include "adapters/tinted_image.h"
 
+#include "adapters/mirrored_image.h"
 #include "base/error.h"
 #include "image/image_io.h"
 
@@ -29,7 +30,10 @@ image::Image tinted(const scene::Scene& scene, int material) {
   const scene::MaterialModel& model = material_at(scene, material).model;
   const scene::RgbColour tint = tint_of(model);
   const std::array factors{tint.x, tint.y, tint.z};
-  image::Image image = image::read_linear_rgb(texture_at(scene, *texture_of(model)).file);
+  const scene::Texture& texture = texture_at(scene, *texture_of(model));
+  image::Image image = image::read_linear_rgb(texture.file, texture.encoding == scene::Encoding::Linear
+                                                                ? image::Encoded::Numbers
+                                                                : image::Encoded::Srgb);
   for (std::size_t i = 0; i < image.pixels.size(); ++i)
     image.pixels[i] = static_cast<float>(static_cast<double>(image.pixels[i]) * factors[i % 3]);
   return image;
@@ -63,7 +67,8 @@ void write_tinted_channels(const scene::Scene& scene,
                            const std::filesystem::path& folder,
                            const std::string& stem) {
   with_texture_note(scene, material, [&] {
-    const image::Image image = tinted(scene, material);
+    const image::Image image = with_mirror_images(
+        tinted(scene, material), texture_at(scene, *texture_of(material_at(scene, material).model)));
     const auto names = tinted_channel_names(material, stem);
     for (std::size_t c = 0; c < names.size(); ++c) {
       image::Image channel = image::make_image(image.width, image.height, {"Y"});

@@ -19,7 +19,8 @@ std::array<std::string, 3> tinted_channel_names(int material, const std::string&
 /// InputError when a file cannot be read or written.
 void write_tinted(const scene::Scene& scene, int material, const std::filesystem::path& file);
 
-/// The same image as three grey ones into `folder`, called tinted_channel_names.
+/// The same image, with its mirror images (mirrored_image.h), as three grey ones into `folder`, called
+/// tinted_channel_names.
 void write_tinted_channels(const scene::Scene& scene,
                            int material,
                            const std::filesystem::path& folder,

@@ -4,6 +4,7 @@
 #include "analytic/lens.h"
 #include "analytic/ray.h"
 #include "analytic/reflectance.h"
+#include "analytic/textured_plane.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "scene/camera_frame.h"
@@ -96,6 +97,9 @@ struct RadianceOf {
   }
   RadianceAlong operator()(const registry::MirrorCorridor& image) const {
     return [image](const Ray& ray) { return grey(mirror_corridor(image, ray)); };
+  }
+  RadianceAlong operator()(const registry::TexturedPlane& image) const {
+    return [image](const Ray& ray) { return textured_plane(image, ray); };
   }
 };
 

@@ -203,8 +203,9 @@ std::array<std::size_t, 3> texture_channels(const Image& image) {
   return {at, at, at};
 }
 
-Image read_linear_rgb(const std::filesystem::path& file) {
-  const auto [image, is_encoded] = contents_of(file, Wanted::Pixels);
+Image read_linear_rgb(const std::filesystem::path& file, Encoded encoded) {
+  const auto [image, is_ldr] = contents_of(file, Wanted::Pixels);
+  const bool is_encoded = is_ldr && encoded == Encoded::Srgb;
   const auto channels = guarded(file, [&image = image] { return texture_channels(image); });
   Image linear = make_image(image.width, image.height, {"R", "G", "B"});
   for (int y = 0; y < image.height; ++y)

@@ -53,8 +53,10 @@ std::string png_bytes(const Image& image);
 std::array<std::size_t, 3> texture_channels(const Image& image);
 
 /// An image that serves as a texture, as channels R, G, B in linear values: 8- and 16-bit files are sRGB and
-/// decoded per pixel, float files are linear already. InputError as read_image and texture_channels.
-Image read_linear_rgb(const std::filesystem::path& file);
+/// decoded per pixel, unless they hold plain numbers in [0, 1]; float files are linear already. InputError as
+/// read_image and texture_channels.
+enum class Encoded { Srgb, Numbers };
+Image read_linear_rgb(const std::filesystem::path& file, Encoded encoded = Encoded::Srgb);
 
 /// Whether files of this ending hold floats, whose values may be any. InputError for an ending that is not
 /// known.

@@ -187,13 +187,35 @@ MirrorCorridor load_mirror_corridor(ObjectReader& in) {
   return {in.number("half_width", json::kPositive), in.number("floor"), in.number("reflectance", {0, 1})};
 }
 
+PlaneWrap load_wrap(ObjectReader& in, const std::string& key) {
+  const auto word = in.one_of_or(key, "repeat", {"repeat", "clamp", "mirror"});
+  if (word == "mirror") return PlaneWrap::Mirror;
+  return word == "clamp" ? PlaneWrap::Clamp : PlaneWrap::Repeat;
+}
+
+TexturedPlane load_textured_plane(ObjectReader& in) {
+  TexturedPlane image{in.vec3("origin"), in.vec3("u_edge"), in.vec3("v_edge"), 1, {}, {}, false, 1};
+  if (!(length(cross(image.u_edge, image.v_edge)) > 0)) in.fail("v_edge", "must not be parallel to 'u_edge'");
+  for (const auto& row : in.number_rows("texels", 3)) image.texels.push_back({row[0], row[1], row[2]});
+  constexpr int kMostColumns = 1024;
+  image.columns = in.integer("columns", 1, kMostColumns);
+  if (image.texels.empty() || static_cast<int>(image.texels.size()) % image.columns != 0)
+    in.fail("texels",
+            fmt::format("must be rows of {} colours, holds {}", image.columns, image.texels.size()));
+  image.wrap = {load_wrap(in, "wrap_u"), load_wrap(in, "wrap_v")};
+  image.is_nearest = in.one_of_or("filter", "linear", {"linear", "nearest"}) == "nearest";
+  image.radiance = in.number("radiance", json::kPositive);
+  return image;
+}
+
 AnalyticImage load_image(ObjectReader& in) {
-  const auto formula =
-      in.one_of("formula", {"constant", "direct_light", "fresnel_plane", "albedo_ball", "mirror_corridor"});
+  const auto formula = in.one_of("formula", {"constant", "direct_light", "fresnel_plane", "albedo_ball",
+                                             "mirror_corridor", "textured_plane"});
   if (formula == "constant") return ConstantImage{three_numbers(in, "value", json::kNotNegative)};
   if (formula == "direct_light") return load_direct_light(in);
   if (formula == "fresnel_plane") return load_fresnel_plane(in);
   if (formula == "albedo_ball") return load_albedo_ball(in);
+  if (formula == "textured_plane") return load_textured_plane(in);
   return load_mirror_corridor(in);
 }
 

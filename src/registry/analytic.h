@@ -124,7 +124,24 @@ struct MirrorCorridor {
   double reflectance = 1;
 };
 
-using AnalyticImage = std::variant<ConstantImage, DirectLight, FresnelPlane, AlbedoBall, MirrorCorridor>;
+/// What stands beyond the edge of a texture, as scene::Wrap.
+enum class PlaneWrap { Repeat, Clamp, Mirror };
+
+/// A plane that fills the image and shows a texture: radiance times the texel or the four texels about a
+/// place.
+struct TexturedPlane {
+  Vec3d origin;  // where u = v = 0
+  Vec3d u_edge;  // from there to u = 1
+  Vec3d v_edge;
+  int columns = 1;
+  std::vector<std::array<double, 3>> texels;  // linear Rec.709, row by row from v = 0
+  std::array<PlaneWrap, 2> wrap{};            // along u and v
+  bool is_nearest = false;
+  double radiance = 1;
+};
+
+using AnalyticImage =
+    std::variant<ConstantImage, DirectLight, FresnelPlane, AlbedoBall, MirrorCorridor, TexturedPlane>;
 
 /// A reference that follows from a formula.
 struct AnalyticReference {

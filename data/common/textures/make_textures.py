@@ -138,6 +138,9 @@ def main() -> None:
     write_png("163.png", image(256, 256, bricks))
     write_png("diff.png", image(256, 256, floor_tiles))
     write_png("blur_pattern.png", image(352, 320, soft_blobs), grey=True)
+    # What textures do beyond their edges and between their texels; rows from the top.
+    four = [[(40, 70, 220), (240, 220, 80)], [(230, 60, 40), (50, 200, 60)]]
+    write_png("four_colours.png", [[tuple(v / 255 for v in colour) for colour in row] for row in four])
 
 
 if __name__ == "__main__":

@@ -178,12 +178,19 @@ void write_camera(Writer& out, const Document& document) {
 int wrap_code(scene::Wrap wrap) {
   constexpr int kRepeat = 10497;
   constexpr int kClampToEdge = 33071;
+  constexpr int kMirroredRepeat = 33648;
+  if (wrap == scene::Wrap::Mirror) return kMirroredRepeat;
   return wrap == scene::Wrap::Repeat ? kRepeat : kClampToEdge;
 }
 
-// Bilinear between the texels of the one image that there is, at any distance.
-void write_textures(Writer& out, const std::vector<Texture>& textures) {
+// The same filter for the one image that there is, at any distance.
+int filter_code(scene::Filter filter) {
+  constexpr int kNearest = 9728;
   constexpr int kLinear = 9729;
+  return filter == scene::Filter::Nearest ? kNearest : kLinear;
+}
+
+void write_textures(Writer& out, const std::vector<Texture>& textures) {
   if (textures.empty()) return;
   out.key("images").begin_array();
   for (const Texture& texture : textures)
@@ -195,8 +202,8 @@ void write_textures(Writer& out, const std::vector<Texture>& textures) {
   out.end_array().key("samplers").begin_array();
   for (const Texture& texture : textures)
     out.begin_object()
-        .member("magFilter", kLinear)
-        .member("minFilter", kLinear)
+        .member("magFilter", filter_code(texture.filter))
+        .member("minFilter", filter_code(texture.filter))
         .member("wrapS", wrap_code(texture.wrap_u))
         .member("wrapT", wrap_code(texture.wrap_v))
         .end_object();

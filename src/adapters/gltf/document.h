@@ -52,6 +52,7 @@ struct Texture {
   int view = 0;  // that holds its PNG
   scene::Wrap wrap_u = scene::Wrap::Repeat;
   scene::Wrap wrap_v = scene::Wrap::Repeat;
+  scene::Filter filter = scene::Filter::Linear;
 };
 
 struct Document {

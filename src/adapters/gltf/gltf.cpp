@@ -52,7 +52,7 @@ std::map<int, int> add_materials(Document& document,
       const scene::Texture& texture = texture_at(scene, *use);
       if (is_new)
         document.textures.push_back({texture.name, add_file(document.buffer, gltf::texture_png(texture)),
-                                     texture.wrap_u, texture.wrap_v});
+                                     texture.wrap_u, texture.wrap_v, texture.filter});
       written.texture = gltf::TextureInfo{place->second};
       if (const auto found = transforms.find(index); found != transforms.end())
         written.texture->transform = found->second;

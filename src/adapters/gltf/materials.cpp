@@ -76,7 +76,7 @@ struct SurfaceWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"C2", "D1", "D3"},
+      {"C2", "D1", "D3", "N4", "N5"},
       {{"B1", "glTF's metals are masked by the separable term"},
        {"B7", "the exporter to glTF does not write it yet"},
        {"B8", "glTF has no Phong reflection"},

@@ -23,6 +23,8 @@ bool has_eight_bits(const image::Image& image) {
 }  // namespace
 
 std::string texture_limit(const scene::Texture& texture) {
+  if (texture.encoding == scene::Encoding::Linear)
+    return fmt::format("texture '{}' holds colours as plain numbers: those of glTF are sRGB", texture.name);
   if (image::is_float_format(texture.file))
     return fmt::format("texture '{}' holds floats: glTF's images have 8 bits", texture.name);
   if (has_eight_bits(image::read_image(texture.file))) return "";

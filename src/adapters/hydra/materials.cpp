@@ -82,7 +82,7 @@ struct MaterialWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"C1", "D1", "D2", "D3", "D4"},
+      {"C1", "D1", "D2", "D3", "D4", "N4"},
       {{"B1", "HydraCore3's material called gltf is another model"},
        {"B7", "HydraCore3's material called gltf has a coat with reflections inside"},
        {"B8", "HydraCore3 has no Phong reflection"},
@@ -95,6 +95,7 @@ const BeyondOrbs& beyond_orbs() {
        {"E4", "HydraCore3 has no fluorescence"},
        {"E5", "HydraCore3's thin films are tables for three colours"},
        {"E6", "HydraCore3 refracts three colours alike"},
+       {"N5", "HydraCore3's nearest texel is the same one everywhere"},
        {"S7", "a plug-in is machine code for the built-in tracer"},
        {"T1", "the exporter writes HydraCore3's instances at rest"},
        {"T2", "HydraCore3 has no meshes that change their shape"},

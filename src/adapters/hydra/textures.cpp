@@ -1,6 +1,7 @@
 #include "adapters/hydra/textures.h"
 
 #include "adapters/hydra/binary.h"
+#include "adapters/mirrored_image.h"
 #include "adapters/xml_comment.h"
 #include "base/error.h"
 #include "base/files.h"
@@ -50,10 +51,12 @@ std::string image_bytes(const image::Image& image,
 }
 
 // Eight-bit images keep their bytes, which HydraCore3 decodes by the sRGB curve itself; others become linear
-// floats, as it has no format for 16 bits.
-TextureFile texture_file(const std::filesystem::path& file) {
-  if (!image::is_float_format(file)) {
-    const image::Image stored = image::read_image(file);
+// floats, as it has no format for 16 bits. It reads the word for mirrored images and lets them repeat.
+TextureFile texture_file(const scene::Texture& texture) {
+  const auto& file = texture.file;
+  const bool is_data = texture.encoding == scene::Encoding::Linear;
+  if (!is_data && !image::is_float_format(file)) {
+    const image::Image stored = with_mirror_images(image::read_image(file), texture);
     if (holds_bytes(stored))
       return {image_bytes(stored, image::texture_channels(stored),
                           [](std::string& bytes, float value) {
@@ -61,7 +64,8 @@ TextureFile texture_file(const std::filesystem::path& file) {
                           }),
               stored.width, stored.height, false};
   }
-  const image::Image linear = image::read_linear_rgb(file);
+  const image::Image linear = with_mirror_images(
+      image::read_linear_rgb(file, is_data ? image::Encoded::Numbers : image::Encoded::Srgb), texture);
   return {image_bytes(linear, {0, 1, 2}, [](std::string& bytes, float value) { append_bytes(bytes, value); }),
           linear.width, linear.height, true};
 }
@@ -80,7 +84,7 @@ TextureLibrary write_textures(const scene::Scene& scene,
     const scene::Texture& texture = texture_at(scene, *use);
     const int id = static_cast<int>(library.entries.size());
     with_note(fmt::format("writing texture '{}' for HydraCore3", texture.name), [&] {
-      const TextureFile written = texture_file(texture.file);
+      const TextureFile written = texture_file(texture);
       const auto name = fmt::format("{}-texture{}.{}", stem, id, written.is_linear ? "image4f" : "image4ub");
       write_file(folder / name, written.bytes);
       constexpr std::size_t kHeader_bytes = 8;
@@ -102,10 +106,12 @@ std::string texture_node(const scene::Scene& scene,
                          const scene::TextureUse& use) {
   const scene::Texture& texture = texture_at(scene, use);
   const TextureEntry& entry = library.entries.at(use.texture);
+  const Vec2d scale = unmirrored_uv_scale(texture);
+  const Mat4 matrix = scaling({scale.x, scale.y, 1}) * use.matrix;
   return fmt::format(
       "<texture id=\"{}\" type=\"texref\" matrix=\"{}\" addressing_mode_u=\"{}\" addressing_mode_v=\"{}\" "
       "input_gamma=\"{}\"/>",
-      entry.id, fmt::join(use.matrix.m, " "), wrap_word(texture.wrap_u), wrap_word(texture.wrap_v),
+      entry.id, fmt::join(matrix.m, " "), wrap_word(texture.wrap_u), wrap_word(texture.wrap_v),
       entry.is_linear ? "1" : "2.2");
 }
 

@@ -110,8 +110,9 @@ struct BsdfWriter {
     return two_sided(
         id, fmt::format("<bsdf type=\"diffuse\"><texture type=\"bitmap\" name=\"reflectance\"><string "
                         "name=\"filename\" value=\"{}\"/><string name=\"filter_type\" "
-                        "value=\"bilinear\"/><string name=\"wrap_mode\" value=\"{}\"/></texture></bsdf>",
-                        image, texture.wrap_u == scene::Wrap::Clamp ? "clamp" : "repeat"));
+                        "value=\"{}\"/><string name=\"wrap_mode\" value=\"{}\"/></texture></bsdf>",
+                        image, texture.filter == scene::Filter::Nearest ? "nearest" : "bilinear",
+                        word_of(texture.wrap_u)));
   }
   // The parameters that both types of glass share. Mitsuba's default for the outside is air, 1.000277.
   std::string dielectric(const char* type, double inside, double outside, const std::string& more) const {
@@ -176,7 +177,7 @@ struct BsdfWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"C1", "C2", "C3", "D1", "D2", "D3", "E1", "E2", "E3"},
+      {"C1", "C2", "C3", "D1", "D2", "D3", "E1", "E2", "E3", "N4", "N5"},
       {{"B1", "Mitsuba's rough metals follow n and k and are masked by the separable term"},
        {"B7", "Mitsuba's principled BSDF is another model"},
        {"B8", "Mitsuba 3 has no Phong reflection"},

@@ -43,6 +43,9 @@ constexpr const char* kTraceDepthWords =
 constexpr const char* kTextureWords =
     "its texels multiply the colour. 8-bit files hold sRGB values: each texel is decoded first, then filtered "
     "bilinearly, without mip maps. The bottom row of the image has v = 0";
+constexpr const char* kNearestWords =
+    "its texels multiply the colour. 8-bit files hold sRGB values. The texel that the place lies in counts alone, "
+    "nothing is interpolated. The bottom row of the image has v = 0";
 
 struct MaterialWords {
   const char* operator()(const scene::Lambert&) const {
@@ -129,10 +132,12 @@ void write_texture(json::Writer& out,
                    const scene::TextureUse& use,
                    const std::string& stem) {
   const auto& texture = texture_at(scene, use);
-  const auto word = [](scene::Wrap wrap) { return wrap == scene::Wrap::Clamp ? "clamp" : "repeat"; };
   out.key("texture").begin_object().member("file", texture_file(scene, use.texture, stem));
-  out.member("wrap_u", word(texture.wrap_u)).member("wrap_v", word(texture.wrap_v));
-  out.member("in_words", kTextureWords).end_object();
+  out.member("wrap_u", word_of(texture.wrap_u)).member("wrap_v", word_of(texture.wrap_v));
+  if (texture.filter == scene::Filter::Nearest) out.member("filter", "nearest");
+  if (texture.encoding == scene::Encoding::Linear) out.member("encoding", "linear");
+  out.member("in_words", texture.filter == scene::Filter::Nearest ? kNearestWords : kTextureWords)
+      .end_object();
 }
 
 void write_materials(json::Writer& out, const scene::Scene& scene, const std::string& stem) {

@@ -63,8 +63,13 @@ struct MtlWriter {
     const auto& image = texture_at(scene, *use);
     const bool is_clamped = image.wrap_u == scene::Wrap::Clamp && image.wrap_v == scene::Wrap::Clamp;
     const bool is_mixed = image.wrap_u != image.wrap_v;
-    return fmt::format("{}{} {}{}\n",
-                       is_mixed ? "# it is clamped in one direction alone, see description.json\n" : "", key,
+    const bool is_mirrored = image.wrap_u == scene::Wrap::Mirror || image.wrap_v == scene::Wrap::Mirror;
+    const bool is_nearest = image.filter == scene::Filter::Nearest;
+    const char* words = is_mirrored ? "# it is mirrored beyond its edge, see description.json\n"
+                        : is_mixed  ? "# it is clamped in one direction alone, see description.json\n"
+                                    : "";
+    return fmt::format("{}{}{} {}{}\n", words,
+                       is_nearest ? "# it is not interpolated, see description.json\n" : "", key,
                        is_clamped ? "-clamp on " : "", texture_file(scene, use->texture, stem));
   }
 };

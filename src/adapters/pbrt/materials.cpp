@@ -2,6 +2,7 @@
 
 #include "adapters/exporter.h"
 #include "adapters/kind_support.h"
+#include "adapters/mirrored_image.h"
 #include "adapters/pbrt/colours.h"
 #include "adapters/pbrt/directives.h"
 #include "adapters/tinted_image.h"
@@ -83,12 +84,16 @@ struct MaterialWriter {
   std::string textures(const scene::Texture& texture) const {
     const auto files = tinted_channel_names(material, stem);
     const std::array images{name + "-image-r", name + "-image-g", name + "-image-b"};
+    const Vec2d scale = unmirrored_uv_scale(texture);
+    const auto scales =
+        is_mirrored(texture) ? fmt::format(" \"float uscale\" {} \"float vscale\" {}", scale.x, scale.y) : "";
     std::string text;
     for (std::size_t c = 0; c < images.size(); ++c)
       text += fmt::format(
           "Texture \"{}\" \"float\" \"imagemap\" \"string filename\" \"{}\" \"string filter\" "
-          "\"bilinear\" \"string wrap\" \"{}\"\n",
-          images[c], files[c], texture.wrap_u == scene::Wrap::Clamp ? "clamp" : "repeat");
+          "\"{}\" \"string wrap\" \"{}\"{}\n",
+          images[c], files[c], texture.filter == scene::Filter::Nearest ? "point" : "bilinear",
+          word_of(unmirrored(texture).wrap_u), scales);
     return text + band_texture(name + "-texture", images);
   }
   // The reflectance of pbrt's conductors grows towards grazing angles, that of ORB.S's mirrors is the same at
@@ -144,7 +149,7 @@ struct MaterialWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"C1", "C2", "C3", "C4", "D1", "D2", "D3", "D4", "E1", "E2", "E6"},
+      {"C1", "C2", "C3", "C4", "D1", "D2", "D3", "D4", "E1", "E2", "E6", "N4", "N5"},
       {{"B1", "pbrt's metals follow n and k, not Schlick's formula"},
        {"B7", "pbrt has no material of metallic and roughness"},
        {"B8", "pbrt has no Phong reflection"},

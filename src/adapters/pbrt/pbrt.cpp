@@ -3,6 +3,7 @@
 #include "adapters/exporter.h"
 #include "adapters/format_limits.h"
 #include "adapters/material_meshes.h"
+#include "adapters/mirrored_image.h"
 #include "adapters/pbrt/colours.h"
 #include "adapters/pbrt/directives.h"
 #include "adapters/pbrt/lights.h"
@@ -253,7 +254,7 @@ std::vector<std::string> pbrt_limits(const scene::Scene& scene) {
   }
   for (const int index : textures) {
     const scene::Texture& texture = nth(scene.textures, index);
-    note(wrap_limit(texture, kName));
+    note(wrap_limit(unmirrored(texture), kName));
     note(size_limit(texture));
     if (is_spectral) note(spectral_texture_limit(texture, kName));
   }

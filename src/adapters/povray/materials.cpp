@@ -1,8 +1,10 @@
 #include "adapters/povray/materials.h"
 
 #include "adapters/kind_support.h"
+#include "adapters/mirrored_image.h"
 #include "adapters/povray/sdl.h"
 #include "base/nth.h"
+#include "image/image_io.h"
 
 #include <algorithm>
 #include <array>
@@ -36,12 +38,15 @@ std::string image_map(const scene::Scene& scene,
                       const std::string& stem,
                       const char* options) {
   const scene::Texture& texture = texture_in(scene, use.texture);
-  const std::string type = image_type(texture.file);
+  const std::string type = image_type(texture_copy(scene, use.texture, stem));
   const bool is_float = type == "exr" || type == "hdr";
+  const char* gamma = is_float                                      ? ""
+                      : texture.encoding == scene::Encoding::Linear ? " gamma 1.0"
+                                                                    : " gamma srgb";
   const bool once = texture.wrap_u == scene::Wrap::Clamp && texture.wrap_v == scene::Wrap::Clamp;
-  return fmt::format("pigment {{ uv_mapping image_map {{ {} \"{}\"{}{} interpolate 2{} }} }}", type,
-                     texture_copy(scene, use.texture, stem), is_float ? "" : " gamma srgb",
-                     once ? " once" : "", options);
+  return fmt::format("pigment {{ uv_mapping image_map {{ {} \"{}\"{}{}{}{} }} }}", type,
+                     texture_copy(scene, use.texture, stem), gamma, once ? " once" : "",
+                     texture.filter == scene::Filter::Nearest ? "" : " interpolate 2", options);
 }
 
 // `part` is "diffuse" or "emission". An image that is tinted becomes two layers, since POV-Ray has no
@@ -154,12 +159,16 @@ std::string image_type(const std::filesystem::path& file) {
 }
 
 std::string texture_copy(const scene::Scene& scene, int index, const std::string& stem) {
-  return fmt::format("{}-texture{}{}", stem, index, lower_extension(texture_in(scene, index).file));
+  const scene::Texture& texture = texture_in(scene, index);
+  const auto ending = !is_mirrored(texture)                  ? lower_extension(texture.file)
+                      : image::is_float_format(texture.file) ? ".exr"
+                                                             : ".png";
+  return fmt::format("{}-texture{}{}", stem, index, ending);
 }
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"C1", "C2", "C3", "C4", "D1", "D2", "D3", "E6", "S1", "S2", "S3", "S4"},
+      {"C1", "C2", "C3", "C4", "D1", "D2", "D3", "E6", "N4", "N5", "S1", "S2", "S3", "S4"},
       {{"B1", "POV-Ray has glossy highlights of light sources, no glossy reflection"},
        {"B7", "POV-Ray has no microfacets"},
        {"B8", "POV-Ray's phong is a highlight of light sources alone, without the cosine"},

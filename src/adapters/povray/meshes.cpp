@@ -1,5 +1,6 @@
 #include "adapters/povray/meshes.h"
 
+#include "adapters/mirrored_image.h"
 #include "adapters/povray/clamp.h"
 #include "adapters/povray/materials.h"
 #include "adapters/povray/sdl.h"
@@ -31,16 +32,21 @@ struct Mesh2 {
   std::vector<int> triangle_materials;
 };
 
-Vec2d looked_up_at(Vec2f uv, const std::optional<TextureUse>& use) {
+Vec2d looked_up_at(const scene::Scene& scene, Vec2f uv, const std::optional<TextureUse>& use) {
   const Vec2d given{uv.x, uv.y};
   if (!use) return given;
   const Mat4& m = use->matrix;
-  return {m(0, 0) * given.x + m(0, 1) * given.y + m(0, 3), m(1, 0) * given.x + m(1, 1) * given.y + m(1, 3)};
+  const Vec2d scale = unmirrored_uv_scale(texture_at(scene, *use));
+  return {scale.x * (m(0, 0) * given.x + m(0, 1) * given.y + m(0, 3)),
+          scale.y * (m(1, 0) * given.x + m(1, 1) * given.y + m(1, 3))};
 }
 
-Corner corner_of(const Mesh& mesh, std::uint32_t vertex, const std::optional<TextureUse>& use) {
+Corner corner_of(const scene::Scene& scene,
+                 const Mesh& mesh,
+                 std::uint32_t vertex,
+                 const std::optional<TextureUse>& use) {
   return {cast<double>(mesh.positions[vertex]), cast<double>(mesh.normals[vertex]),
-          looked_up_at(mesh.uvs[vertex], use)};
+          looked_up_at(scene, mesh.uvs[vertex], use)};
 }
 
 Vertex vertex_of(const Corner& corner) {
@@ -58,8 +64,8 @@ class Mesh2Builder {
 
   void add(const std::array<std::uint32_t, 3>& triangle, int material) {
     const auto& use = scene::texture_of(material_at(scene_, material).model);
-    const std::array corners{corner_of(mesh_, triangle[0], use), corner_of(mesh_, triangle[1], use),
-                             corner_of(mesh_, triangle[2], use)};
+    const auto corner = [&](std::size_t i) { return corner_of(scene_, mesh_, triangle[i], use); };
+    const std::array corners{corner(0), corner(1), corner(2)};
     if (!has_area(corners)) return;
     const auto axes = use ? clamp_axes_of(use->texture) : std::array<ClampAxis, 2>{};
     if (axes[0].active || axes[1].active) {

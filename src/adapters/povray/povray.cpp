@@ -2,6 +2,7 @@
 
 #include "adapters/exporter.h"
 #include "adapters/format_limits.h"
+#include "adapters/mirrored_image.h"
 #include "adapters/povray/dispersion.h"
 #include "adapters/povray/lights.h"
 #include "adapters/povray/materials.h"
@@ -11,6 +12,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/nth.h"
+#include "image/image_io.h"
 #include "scene/camera_frame.h"
 #include "scene/relations/geometry.h"
 #include "scene/relations/motion.h"
@@ -232,6 +234,20 @@ int povray_aa_grid(int spp) {
   return depth;
 }
 
+namespace {
+
+// A copy of the file, or the image with its mirror images: POV-Ray's images repeat and are not mirrored.
+void write_texture(const scene::Texture& texture, const std::filesystem::path& copy) {
+  if (!is_mirrored(texture)) {
+    write_file(copy, read_file(texture.file));
+    return;
+  }
+  const auto image = with_mirror_images(image::read_image(texture.file), texture);
+  image::is_float_format(texture.file) ? image::write_exr(image, copy) : image::write_png(image, copy);
+}
+
+}  // namespace
+
 void write_povray(const scene::Scene& given,
                   const PovraySettings& settings,
                   const std::filesystem::path& file) {
@@ -242,9 +258,8 @@ void write_povray(const scene::Scene& given,
   const Text text = scene_text(scene, settings, stem);
   for (const int index : text.textures) {
     const scene::Texture& texture = nth(scene.textures, index);
-    with_note(fmt::format("copying texture '{}' for POV-Ray", texture.name), [&] {
-      write_file(folder / povray::texture_copy(scene, index, stem), read_file(texture.file));
-    });
+    with_note(fmt::format("copying texture '{}' for POV-Ray", texture.name),
+              [&] { write_texture(texture, folder / povray::texture_copy(scene, index, stem)); });
   }
   if (!text.meshes.text.empty()) write_file(folder / (stem + "-meshes.inc"), text.meshes.text);
   write_file(file, text.scene);
@@ -272,7 +287,7 @@ std::string texture_limit(const scene::Texture& texture) {
   if (type.empty())
     return fmt::format("texture '{}' is a {} file, which POV-Ray does not read", texture.name,
                        texture.file.extension().string());
-  if (texture.wrap_u != texture.wrap_v && type != "png")
+  if (unmirrored(texture).wrap_u != unmirrored(texture).wrap_v && type != "png")
     return fmt::format(
         "texture '{}' is clamped along one axis only, which the exporter can do for PNG files alone",
         texture.name);

@@ -117,6 +117,9 @@ std::vector<CalledFeature> features_of_materials(const Scene& scene) {
     const auto& texture = texture_of(material.model);
     if (!texture) continue;
     note(std::holds_alternative<Emission>(material.model) ? "M6" : "M4", "has a texture");
+    const Texture& image = texture_at(scene, *texture);
+    if (image.wrap_u == Wrap::Mirror || image.wrap_v == Wrap::Mirror) note("N4", "has a mirrored texture");
+    if (image.filter == Filter::Nearest) note("N5", "has a texture that is not interpolated");
     if (texture->matrix != Mat4{}) note("M5", "has a texture matrix");
   }
   return features;

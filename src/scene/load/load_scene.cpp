@@ -86,10 +86,14 @@ Texture load_texture(json::ObjectReader in, const DataFolders& folders) {
   texture.name = in.text("name");
   texture.file = existing_file(in, "file", folders);
   const auto wrap = [&](const char* key) {
-    return in.one_of_or(key, "repeat", {"repeat", "clamp"}) == "clamp" ? Wrap::Clamp : Wrap::Repeat;
+    const auto word = in.one_of_or(key, "repeat", {"repeat", "clamp", "mirror"});
+    if (word == "mirror") return Wrap::Mirror;
+    return word == "clamp" ? Wrap::Clamp : Wrap::Repeat;
   };
   texture.wrap_u = wrap("wrap_u");
   texture.wrap_v = wrap("wrap_v");
+  if (in.one_of_or("filter", "linear", {"linear", "nearest"}) == "nearest") texture.filter = Filter::Nearest;
+  if (in.one_of_or("encoding", "srgb", {"srgb", "linear"}) == "linear") texture.encoding = Encoding::Linear;
   in.finish();
   return texture;
 }

@@ -64,9 +64,11 @@ void write_model(Writer& out, const Scene& scene, const MaterialModel& model) {
 void write_materials(Writer& out, const Scene& scene) {
   out.key("textures").begin_array();
   for (const auto& texture : scene.textures) {
-    const auto word = [](Wrap wrap) { return wrap == Wrap::Clamp ? "clamp" : "repeat"; };
     out.begin_object().member("name", texture.name).member("file", texture.file.string());
-    out.member("wrap_u", word(texture.wrap_u)).member("wrap_v", word(texture.wrap_v)).end_object();
+    out.member("wrap_u", word_of(texture.wrap_u)).member("wrap_v", word_of(texture.wrap_v));
+    if (texture.filter != Filter::Linear) out.member("filter", word_of(texture.filter));
+    if (texture.encoding == Encoding::Linear) out.member("encoding", "linear");
+    out.end_object();
   }
   out.end_array().key("materials").begin_array();
   for (const auto& material : scene.materials) {

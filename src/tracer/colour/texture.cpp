@@ -14,8 +14,10 @@
 namespace orbs::tracer {
 
 TexelGrid load_texels(const scene::Texture& texture, Texels texels) {
+  const auto encoded =
+      texture.encoding == scene::Encoding::Linear ? image::Encoded::Numbers : image::Encoded::Srgb;
   auto image = with_note(fmt::format("loading texture '{}'", texture.name),
-                         [&] { return image::read_linear_rgb(texture.file); });
+                         [&] { return image::read_linear_rgb(texture.file, encoded); });
   if (texels == Texels::AsStored && image::is_ldr_file(texture.file))
     for (float& value : image.pixels) value = image::srgb_encode(value);
   TexelGrid grid{image.width, image.height, {}, texture.wrap_u, texture.wrap_v, {}};
@@ -28,6 +30,9 @@ TexelGrid load_texels(const scene::Texture& texture, Texels texels) {
       sum += cast<double>(texel);
     }
   grid.average = cast<float>(sum / static_cast<double>(image.pixel_count()));
+  grid.is_nearest = texture.filter == scene::Filter::Nearest;
+  grid.is_plain =
+      !grid.is_nearest && texture.wrap_u != scene::Wrap::Mirror && texture.wrap_v != scene::Wrap::Mirror;
   return grid;
 }
 
@@ -52,6 +57,35 @@ Neighbours neighbours(float coordinate, int size, scene::Wrap wrap) {
   return {low < 0 ? low + size : low, low + 1 >= size ? low + 1 - size : low + 1, bounded - floor};
 }
 
+// The coordinate without whole periods, as above, in texels.
+float texels_along(float coordinate, int size, scene::Wrap wrap) {
+  float local = coordinate;
+  if (wrap == scene::Wrap::Repeat) local -= std::floor(coordinate);
+  if (wrap == scene::Wrap::Mirror) local -= 2 * std::floor(coordinate / 2);
+  return local * static_cast<float>(size);
+}
+
+// The texel that stands at an index of any size, see scene::Wrap.
+int wrapped(float index, int size, scene::Wrap wrap) {
+  // Beyond these bounds lie clamped coordinates alone: others are within their period of 2 size at most.
+  const int i = static_cast<int>(std::min(std::max(index, -1.0F), 2 * static_cast<float>(size)));
+  if (wrap == scene::Wrap::Clamp) return std::clamp(i, 0, size - 1);
+  if (wrap == scene::Wrap::Repeat) return (i + size) % size;
+  const int in_period = (i + 2 * size) % (2 * size);
+  return in_period < size ? in_period : 2 * size - 1 - in_period;
+}
+
+Neighbours special_neighbours(float coordinate, int size, scene::Wrap wrap, bool is_nearest) {
+  const float at = texels_along(coordinate, size, wrap);
+  if (is_nearest) {
+    const int texel = wrapped(std::floor(at), size, wrap);
+    return {texel, texel, 0};
+  }
+  const float low = std::floor(at - 0.5F);
+  const float share = std::isfinite(low) ? at - 0.5F - low : 0;
+  return {wrapped(low, size, wrap), wrapped(low + 1, size, wrap), share};
+}
+
 }  // namespace
 
 Vec3f lookup(const TexelGrid& grid, Vec2f uv) {
@@ -61,8 +95,10 @@ Vec3f lookup(const TexelGrid& grid, Vec2f uv) {
     constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
     return {kNone, kNone, kNone};
   }
-  const Neighbours x = neighbours(uv.x, grid.width, grid.wrap_u);
-  const Neighbours y = neighbours(uv.y, grid.height, grid.wrap_v);
+  const Neighbours x = grid.is_plain ? neighbours(uv.x, grid.width, grid.wrap_u)
+                                     : special_neighbours(uv.x, grid.width, grid.wrap_u, grid.is_nearest);
+  const Neighbours y = grid.is_plain ? neighbours(uv.y, grid.height, grid.wrap_v)
+                                     : special_neighbours(uv.y, grid.height, grid.wrap_v, grid.is_nearest);
   const auto texel = [&](int column, int row) {
     return grid.texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.width) +
                        static_cast<std::size_t>(column)];

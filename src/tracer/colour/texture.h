@@ -16,6 +16,8 @@ struct TexelGrid {
   scene::Wrap wrap_u = scene::Wrap::Repeat;
   scene::Wrap wrap_v = scene::Wrap::Repeat;
   Vec3f average;
+  bool is_plain = true;  // neither mirrored nor looked up without interpolation
+  bool is_nearest = false;
 };
 
 /// Loads a texture file; throws InputError. sRGB values of LDR files are decoded to linear per texel, float
@@ -23,7 +25,7 @@ struct TexelGrid {
 enum class Texels { Linear, AsStored };
 TexelGrid load_texels(const scene::Texture& texture, Texels texels = Texels::Linear);
 
-/// Bilinear interpolation between texel centres at +0.5.
+/// Bilinear interpolation between texel centres at +0.5, or the texel at the place where the grid says so.
 Vec3f lookup(const TexelGrid& grid, Vec2f uv);
 
 /// Affine map of texture coordinates: u' = m[0] u + m[1] v + m[2], v' = m[3] u + m[4] v + m[5].

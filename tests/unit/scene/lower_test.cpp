@@ -33,6 +33,7 @@ Scene triangle_with(MaterialModel model) {
   mesh.triangle_materials = {0};
   scene.meshes.push_back(mesh);
   scene.instances.push_back({"t", 0, {}, {}});
+  scene.textures.push_back({"t", "/t.png"});
   return scene;
 }
 
@@ -70,6 +71,12 @@ TEST(LowerMaterials, EachModelNeedsItsRequirement) {
   EXPECT_EQ(reason_of(triangle_with(Mirror{}), {"M3"}), "material 'm' is a mirror, which needs M3");
   EXPECT_EQ(reason_of(triangle_with(Lambert{{}, TextureUse{}}), {"M4"}),
             "material 'm' has a texture, which needs M4");
+  auto special = triangle_with(Lambert{{}, TextureUse{}});
+  special.textures[0].wrap_v = Wrap::Mirror;
+  EXPECT_EQ(reason_of(special, {"N4"}), "material 'm' has a mirrored texture, which needs N4");
+  special.textures[0] = {"t", "/t.png", Wrap::Repeat, Wrap::Clamp, Filter::Nearest};
+  EXPECT_EQ(reason_of(special, {"N5"}),
+            "material 'm' has a texture that is not interpolated, which needs N5");
   EXPECT_EQ(reason_of(triangle_with(Emission{{}, TextureUse{}}), {"M6"}),
             "material 'm' has a texture, which needs M6");
   EXPECT_EQ(reason_of(triangle_with(OrenNayar{{}, 0.5, {}}), {"M7"}),
