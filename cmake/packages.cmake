@@ -14,6 +14,11 @@ target_link_libraries(orbs_httplib INTERFACE ${ORBS_HTTPLIB_LIBRARY} Threads::Th
 find_path(ORBS_CLI11_INCLUDE CLI/CLI.hpp REQUIRED)
 add_library(orbs_cli11 INTERFACE)
 target_include_directories(orbs_cli11 SYSTEM INTERFACE ${ORBS_CLI11_INCLUDE})
+# Its headers alone: importer/library/compiled.cpp compiles what we need of them.
+find_path(ORBS_TINYGLTF_INCLUDE tiny_gltf.h REQUIRED)
+add_library(orbs_tinygltf INTERFACE)
+find_path(ORBS_TINYGLTF_JSON json.hpp PATH_SUFFIXES nlohmann REQUIRED)
+target_include_directories(orbs_tinygltf SYSTEM INTERFACE ${ORBS_TINYGLTF_INCLUDE} ${ORBS_TINYGLTF_JSON})
 
 # Debian's OpenImageIOConfig.cmake refuses to load unless its eight command-line tools (with Qt) are installed too. We
 # need two libraries, so we find these ourselves.

@@ -143,7 +143,7 @@ AddCommand add_renderer_command, add_reference_command, add_completion_command;
 AddCommand add_probe_command, add_qualify_command, add_bench_command, add_effect_cost_command;
 AddCommand add_sensitivity_command, add_cost_command, add_stability_command, add_compare_runs_command;
 AddCommand add_history_command, add_merge_command, add_submit_command, add_export_command;
-AddCommand add_judge_command, add_manual_command;
+AddCommand add_judge_command, add_manual_command, add_import_command;
 
 namespace {
 
@@ -173,6 +173,7 @@ constexpr std::array kCommands{
     Command{"effects", kLookUp, "Show which effects of light each scene calls for, and why",
             add_effects_command},
     Command{"renderer", kSetUp, "Add a renderer to configuration.json", add_renderer_command},
+    Command{"import", kSetUp, "Make a case of a scene of your own, from a file of glTF", add_import_command},
     Command{"reference", kSetUp, "Render references with the built-in tracer", add_reference_command},
     Command{"completion", kSetUp, "Print the completion of commands and options for a shell",
             add_completion_command},

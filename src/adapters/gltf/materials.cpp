@@ -68,6 +68,9 @@ struct SurfaceWriter {
   Surface operator()(const scene::Emission& m) const { return {.radiance = m.radiance}; }
   Surface operator()(const scene::Mirror& m) const { return reflecting(m.reflectance.x, 0); }
   Surface operator()(const scene::Ggx& m) const { return reflecting(m.colour.x, std::sqrt(m.alpha)); }
+  Surface operator()(const scene::MetallicRoughness& m) const {
+    return {.base_colour = m.reflectance, .metallic = m.metallic, .roughness = m.roughness, .specular = 1};
+  }
   Surface operator()(const scene::Glass& m) const { return glass(m.ior, 0); }
   Surface operator()(const scene::RoughGlass& m) const { return glass(m.ior, std::sqrt(m.alpha)); }
 };
@@ -76,9 +79,8 @@ struct SurfaceWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"C2", "D1", "D3", "N4", "N5"},
+      {"B7", "C2", "D1", "D3", "N4", "N5"},
       {{"B1", "glTF's metals are masked by the separable term"},
-       {"B7", "the exporter to glTF does not write it yet"},
        {"B8", "glTF has no Phong reflection"},
        {"C1", "glTF's cameras are pinholes"},
        {"C3", "glTF's images are centred on the axis"},

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "importer/import.h"
+
+#include <string>
+
+namespace orbs::importer {
+
+/// The index of the scene's material that shows glTF's material, -1 its default one, in this way; it is made
+/// where there is none yet.
+int material_for(Import& import, int material, const Shown& shown);
+
+/// The set of coordinates that the colour texture of the material uses.
+int colour_coordinates(const Import& import, int material);
+
+}  // namespace orbs::importer

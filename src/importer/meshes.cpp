@@ -1,0 +1,180 @@
+#include "importer/meshes.h"
+
+#include "importer/materials.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orbs::importer {
+
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+Vec3d geometric_normal(const std::vector<Vec3d>& positions, const Triangle& t) {
+  return cross(positions[t[1]] - positions[t[0]], positions[t[2]] - positions[t[0]]);
+}
+
+// 3.7.2.1 of the specification: without normals, those of the flat triangles. Those without an area have
+// none, and nothing of them is seen.
+void make_flat(Vertices& vertices, std::vector<Triangle>& triangles) {
+  Vertices flat;
+  std::vector<Triangle> kept;
+  for (const Triangle& triangle : triangles) {
+    const Vec3d normal = geometric_normal(vertices.positions, triangle);
+    if (normal == Vec3d{} || !is_finite(normal)) continue;
+    const auto first = static_cast<std::uint32_t>(flat.positions.size());
+    for (const auto corner : triangle) {
+      flat.positions.push_back(vertices.positions[corner]);
+      flat.normals.push_back(normalised(normal));
+      flat.tangents.push_back(vertices.tangents[corner]);
+      flat.uvs.push_back(vertices.uvs[corner]);
+    }
+    kept.push_back({first, first + 1, first + 2});
+  }
+  vertices = std::move(flat);
+  triangles = std::move(kept);
+}
+
+// Whether all could be used as given.
+bool mend_normals(Vertices& vertices, const std::vector<Triangle>& triangles) {
+  const auto is_good = [](Vec3d normal) { return scene::is_direction(cast<float>(normal)); };
+  std::vector<Vec3d> around(vertices.positions.size());
+  bool is_mended = false;
+  for (const Triangle& triangle : triangles)
+    for (const auto corner : triangle)
+      if (!is_good(vertices.normals[corner]))
+        around[corner] += geometric_normal(vertices.positions, triangle);
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    if (is_good(vertices.normals[i])) continue;
+    const double size = length(around[i]);
+    vertices.normals[i] = size > 0 && std::isfinite(size) ? around[i] / size : Vec3d{0, 1, 0};
+    is_mended = true;
+  }
+  return !is_mended;
+}
+
+// Some files hold the mesh unpacked, too.
+bool is_packed(const Source& source, const tinygltf::Primitive& primitive) {
+  const int positions = primitive.attributes.at("POSITION");
+  return item(source, source.model.accessors, positions, "accessor", "a mesh").bufferView < 0;
+}
+
+// Of the vertices that have colours; white if they have none. All alike: that colour, and nothing is lost.
+scene::RgbColour mean_colour(Import& import, const tinygltf::Primitive& primitive, const std::string& where) {
+  const auto found = primitive.attributes.find("COLOR_0");
+  if (found == primitive.attributes.end()) return {1, 1, 1};
+  const auto colours = read_numbers(import.source, found->second, 0, "COLOR_0 of " + where);
+  if (colours.count == 0 || colours.width < 3) return {1, 1, 1};
+  scene::RgbColour sum;
+  bool is_even = true;
+  for (std::size_t i = 0; i < colours.count; ++i) {
+    const double* c = colours.element(i);
+    sum += Vec3d{c[0], c[1], c[2]};
+    is_even = is_even && std::equal(c, c + 3, colours.element(0));
+  }
+  if (!is_finite(sum)) refuse(import.source, "COLOR_0 of " + where + " holds numbers that are not finite");
+  const double* first = colours.element(0);
+  if (is_even) return {first[0], first[1], first[2]};
+  import.report.not_understood("colours of vertices", "their mean over a part of a mesh", where);
+  return sum / static_cast<double>(colours.count);
+}
+
+}  // namespace
+
+const std::optional<SurfaceMap>& Meshes::surface_map(int material) {
+  const auto [known, is_new] = surface_maps_.try_emplace(material);
+  if (is_new) known->second = SurfaceMap::of(*import_, material);
+  return known->second;
+}
+
+// `first_vertex`: where those of the primitive begin in the mesh; its triangles are the last of it.
+void Meshes::add_materials(const tinygltf::Primitive& primitive,
+                           const std::string& where,
+                           std::size_t first_triangle,
+                           std::uint32_t first_vertex,
+                           scene::Mesh& mesh) {
+  const scene::RgbColour tint = mean_colour(*import_, primitive, where);
+  const auto& map = surface_map(primitive.material);
+  if (!map) {
+    mesh.triangle_materials.resize(mesh.triangles.size(),
+                                   material_for(*import_, primitive.material, {tint, 1, 1}));
+    return;
+  }
+  const bool has_own_set = map->coordinates() != colour_coordinates(*import_, primitive.material) &&
+                           primitive.attributes.contains("NORMAL");
+  const auto own_uvs = has_own_set ? read_uvs(import_->source, primitive, map->coordinates(),
+                                              mesh.positions.size() - first_vertex, where)
+                                   : std::vector<Vec2f>{};
+  for (std::size_t i = first_triangle; i < mesh.triangles.size(); ++i) {
+    std::array<Vec2f, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto vertex = mesh.triangles[i][k];
+      corners[k] = has_own_set ? own_uvs[vertex - first_vertex] : mesh.uvs[vertex];
+    }
+    mesh.triangle_materials.push_back(material_for(*import_, primitive.material, map->shown(corners, tint)));
+  }
+}
+
+void Meshes::add_primitive(const tinygltf::Primitive& primitive,
+                           const std::string& where,
+                           const Pose& pose,
+                           scene::Mesh& mesh) {
+  const auto& source = import_->source;
+  auto& report = import_->report;
+  if (primitive.mode >= TINYGLTF_MODE_POINTS && primitive.mode < TINYGLTF_MODE_TRIANGLES) {
+    report.not_understood("points and lines", "nothing", where);
+    return;
+  }
+  if (!primitive.attributes.contains("POSITION")) {
+    report.not_understood("meshes without positions", "nothing", where);
+    return;
+  }
+  for (const auto& [name, value] : primitive.extensions) {
+    if (name == "KHR_draco_mesh_compression" && is_packed(source, primitive))
+      refuse(source, where +
+                         " is packed with KHR_draco_mesh_compression, which is not read; export the scene "
+                         "without compression");
+    report.not_understood(name, "as if it were not there", where);
+  }
+  auto vertices =
+      read_vertices(source, primitive, pose, colour_coordinates(*import_, primitive.material), where);
+  auto triangles = read_triangles(source, primitive, vertices.positions.size(), where);
+  if (vertices.normals.empty())
+    make_flat(vertices, triangles);
+  else if (!mend_normals(vertices, triangles))
+    report.not_understood("normals of length 0 or not finite", "those of the triangles around", where);
+  if (triangles.size() > triangles_left_)
+    refuse(source, fmt::format("{} has {} triangles: too many for a scene", where, triangles.size()));
+  triangles_left_ -= triangles.size();
+  const auto first_vertex = scene::vertex_count(mesh);
+  const auto first_triangle = mesh.triangles.size();
+  for (std::size_t i = 0; i < vertices.positions.size(); ++i) {
+    mesh.positions.push_back(cast<float>(vertices.positions[i]));
+    mesh.normals.push_back(cast<float>(vertices.normals[i]));
+    mesh.tangents.push_back(cast<float>(vertices.tangents[i]));
+    mesh.uvs.push_back(vertices.uvs[i]);
+  }
+  for (const Triangle& t : triangles)
+    mesh.triangles.push_back({t[0] + first_vertex, t[1] + first_vertex, t[2] + first_vertex});
+  add_materials(primitive, where, first_triangle, first_vertex, mesh);
+}
+
+std::optional<int> Meshes::add(int index, const Pose& pose) {
+  const bool is_resting = pose.joints.empty() && pose.weights.empty();
+  if (const auto known = resting_.find(index); is_resting && known != resting_.end()) return known->second;
+  const auto& wanted = item(import_->source, import_->source.model.meshes, index, "mesh", "a node");
+  const auto where = place("mesh", wanted.name, static_cast<std::size_t>(index));
+  scene::Mesh mesh;
+  mesh.name = names_.add(wanted.name, fmt::format("mesh {}", index));
+  for (const auto& primitive : wanted.primitives) add_primitive(primitive, where, pose, mesh);
+  std::optional<int> added;
+  if (!mesh.triangles.empty()) {
+    added = static_cast<int>(import_->scene.meshes.size());
+    import_->scene.meshes.push_back(std::move(mesh));
+  }
+  if (is_resting) resting_[index] = added;
+  return added;
+}
+
+}  // namespace orbs::importer

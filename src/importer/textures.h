@@ -1,0 +1,31 @@
+#pragma once
+
+#include "base/matrix.h"
+#include "image/image.h"
+#include "importer/import.h"
+
+#include <optional>
+#include <string>
+
+namespace orbs::importer {
+
+/// The numbers of an image as they are stored, for the textures that are no colours.
+std::optional<image::Image> read_picture(Import& import, int texture, const std::string& where);
+
+/// A texture without an image: how the sampler of this index, -1 the default one, looks into it.
+scene::Texture sampled(const Source& source, int sampler, const std::string& where);
+
+/// A colour texture of a material, its image written as PNG beside the scene. Nothing where there is none, or
+/// it is of a kind that is not read, which the report then says. InputError if its image is not there or
+/// broken.
+std::optional<scene::TextureUse> texture_use(Import& import,
+                                             const tinygltf::TextureInfo& info,
+                                             const std::string& where);
+
+/// What KHR_texture_transform does to coordinates whose v is 0 in the bottom row.
+Mat4 texture_matrix(const Source& source, const tinygltf::TextureInfo& info, const std::string& where);
+
+/// The set of coordinates that a texture uses: TEXCOORD_0 or another.
+int coordinate_set(const tinygltf::TextureInfo& info);
+
+}  // namespace orbs::importer
