@@ -11,7 +11,9 @@ namespace orbs::registry {
 
 NewSuite suite_in(const std::filesystem::path& folder, const std::string& name) {
   const auto root = std::filesystem::absolute(folder).lexically_normal();
-  NewSuite added{{name, root / "cases", root / "references"}, root / "configuration.json", {}};
+  const std::string cases = "cases/" + name;
+  const std::string references = "references/" + name;
+  NewSuite added{{name, root / cases, root / references}, root / "configuration.json", {}};
   std::error_code ignored;
   const bool is_new = !std::filesystem::exists(added.file, ignored);
   added.text = own_text(added.file);
@@ -31,8 +33,8 @@ NewSuite suite_in(const std::filesystem::path& folder, const std::string& name) 
   json::Writer entry;
   entry.begin_object()
       .member("name", name)
-      .member("cases", "cases")
-      .member("references", "references")
+      .member("cases", cases)
+      .member("references", references)
       .end_object();
   if (!in.has("suites")) added.text = json::with_member(added.text, "suites", "[]");
   added.text = json::with_element(added.text, "/suites", trim(entry.text()));

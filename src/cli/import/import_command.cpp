@@ -45,6 +45,14 @@ void check_name(const std::string& name, const std::string& option) {
                     option, name, plain.substr(0, 100)));
 }
 
+// The uppermost folder of the path that is not there: all in it is new.
+std::filesystem::path first_missing(std::filesystem::path path) {
+  std::error_code ignored;
+  while (path.has_relative_path() && !std::filesystem::exists(path.parent_path(), ignored))
+    path = path.parent_path();
+  return path;
+}
+
 // The case is complete in a hidden folder, which suites do not read, before it gets its name.
 Imported import(const ImportOptions& options) {
   const auto name = options.name.empty() ? importer::case_name(options.file) : options.name;
@@ -60,6 +68,7 @@ Imported import(const ImportOptions& options) {
                     made.folder.string()));
   const auto unfinished = target.suite.cases / fmt::format(".{}.unfinished", name);
   remove_tree(unfinished);
+  const auto added = first_missing(unfinished);
   make_folder(unfinished);
   try {
     made.scene = importer::import_scene(options.file, unfinished, name, options.view, made.report);
@@ -69,7 +78,7 @@ Imported import(const ImportOptions& options) {
     write_file(unfinished / "case.json", text);
     registry::load_case(unfinished / "case.json");
   } catch (...) {
-    remove_tree(unfinished);
+    remove_tree(added);
     throw;
   }
   put_in_place(unfinished, made.folder);
