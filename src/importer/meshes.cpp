@@ -29,6 +29,7 @@ void make_flat(Vertices& vertices, std::vector<Triangle>& triangles) {
       flat.normals.push_back(normalised(normal));
       flat.tangents.push_back(vertices.tangents[corner]);
       flat.uvs.push_back(vertices.uvs[corner]);
+      flat.map_uvs.push_back(vertices.map_uvs[corner]);
     }
     kept.push_back({first, first + 1, first + 2});
   }
@@ -88,12 +89,13 @@ const std::optional<SurfaceMap>& Meshes::surface_map(int material) {
   return known->second;
 }
 
-// `first_vertex`: where those of the primitive begin in the mesh; its triangles are the last of it.
+// For the triangles of the mesh that have none yet. `map_uvs`: of its last vertices.
 void Meshes::add_materials(const tinygltf::Primitive& primitive,
                            const std::string& where,
-                           std::size_t first_triangle,
-                           std::uint32_t first_vertex,
+                           const std::vector<Vec2f>& map_uvs,
                            scene::Mesh& mesh) {
+  const std::size_t first_triangle = mesh.triangle_materials.size();
+  const std::size_t first_vertex = mesh.positions.size() - map_uvs.size();
   const scene::RgbColour tint = mean_colour(*import_, primitive, where);
   const auto& map = surface_map(primitive.material);
   if (!map) {
@@ -101,17 +103,9 @@ void Meshes::add_materials(const tinygltf::Primitive& primitive,
                                    material_for(*import_, primitive.material, {tint, 1, 1}));
     return;
   }
-  const bool has_own_set = map->coordinates() != colour_coordinates(*import_, primitive.material) &&
-                           primitive.attributes.contains("NORMAL");
-  const auto own_uvs = has_own_set ? read_uvs(import_->source, primitive, map->coordinates(),
-                                              mesh.positions.size() - first_vertex, where)
-                                   : std::vector<Vec2f>{};
   for (std::size_t i = first_triangle; i < mesh.triangles.size(); ++i) {
     std::array<Vec2f, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto vertex = mesh.triangles[i][k];
-      corners[k] = has_own_set ? own_uvs[vertex - first_vertex] : mesh.uvs[vertex];
-    }
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = map_uvs[mesh.triangles[i][k] - first_vertex];
     mesh.triangle_materials.push_back(material_for(*import_, primitive.material, map->shown(corners, tint)));
   }
 }
@@ -137,8 +131,10 @@ void Meshes::add_primitive(const tinygltf::Primitive& primitive,
                          "without compression");
     report.not_understood(name, "as if it were not there", where);
   }
+  const int colour_set = colour_coordinates(*import_, primitive.material);
+  const auto& map = surface_map(primitive.material);
   auto vertices =
-      read_vertices(source, primitive, pose, colour_coordinates(*import_, primitive.material), where);
+      read_vertices(source, primitive, pose, {colour_set, map ? map->coordinates() : colour_set}, where);
   auto triangles = read_triangles(source, primitive, vertices.positions.size(), where);
   if (vertices.normals.empty())
     make_flat(vertices, triangles);
@@ -148,7 +144,6 @@ void Meshes::add_primitive(const tinygltf::Primitive& primitive,
     refuse(source, fmt::format("{} has {} triangles: too many for a scene", where, triangles.size()));
   triangles_left_ -= triangles.size();
   const auto first_vertex = scene::vertex_count(mesh);
-  const auto first_triangle = mesh.triangles.size();
   for (std::size_t i = 0; i < vertices.positions.size(); ++i) {
     mesh.positions.push_back(cast<float>(vertices.positions[i]));
     mesh.normals.push_back(cast<float>(vertices.normals[i]));
@@ -157,7 +152,7 @@ void Meshes::add_primitive(const tinygltf::Primitive& primitive,
   }
   for (const Triangle& t : triangles)
     mesh.triangles.push_back({t[0] + first_vertex, t[1] + first_vertex, t[2] + first_vertex});
-  add_materials(primitive, where, first_triangle, first_vertex, mesh);
+  add_materials(primitive, where, vertices.map_uvs, mesh);
 }
 
 std::optional<int> Meshes::add(int index, const Pose& pose) {

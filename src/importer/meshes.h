@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace orbs::importer {
 
@@ -25,8 +26,7 @@ class Meshes {
                      scene::Mesh& mesh);
   void add_materials(const tinygltf::Primitive& primitive,
                      const std::string& where,
-                     std::size_t first_triangle,
-                     std::uint32_t first_vertex,
+                     const std::vector<Vec2f>& map_uvs,
                      scene::Mesh& mesh);
   const std::optional<SurfaceMap>& surface_map(int material);
 

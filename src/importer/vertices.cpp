@@ -103,8 +103,7 @@ void skin(const Source& source,
   }
 }
 
-}  // namespace
-
+// v is 0 in the bottom row. All zero if the primitive has no such set.
 std::vector<Vec2f> read_uvs(const Source& source,
                             const tinygltf::Primitive& primitive,
                             int set,
@@ -124,10 +123,12 @@ std::vector<Vec2f> read_uvs(const Source& source,
   return uvs;
 }
 
+}  // namespace
+
 Vertices read_vertices(const Source& source,
                        const tinygltf::Primitive& primitive,
                        const Pose& pose,
-                       int uv_set,
+                       const UvSets& sets,
                        const std::string& where) {
   Vertices vertices;
   const auto positions =
@@ -140,7 +141,9 @@ Vertices read_vertices(const Source& source,
   const auto tangents = attribute(source, primitive.attributes, "TANGENT", 4, positions.count, where);
   for (std::size_t i = 0; tangents && i < positions.count; ++i)
     if (const Vec3d tangent = vector_at(*tangents, i); is_finite(tangent)) vertices.tangents[i] = tangent;
-  vertices.uvs = read_uvs(source, primitive, uv_set, positions.count, where);
+  vertices.uvs = read_uvs(source, primitive, sets.colour, positions.count, where);
+  vertices.map_uvs =
+      sets.map == sets.colour ? vertices.uvs : read_uvs(source, primitive, sets.map, positions.count, where);
   morph(source, primitive, pose.weights, where, vertices);
   if (!pose.joints.empty()) skin(source, primitive, pose.joints, where, vertices);
   check_places(source, vertices.positions, where);

@@ -22,21 +22,21 @@ struct Vertices {
   std::vector<Vec3d> positions;
   std::vector<Vec3d> normals;   // none where the file has none
   std::vector<Vec3d> tangents;  // as many as positions; zero where the file has none
-  std::vector<Vec2f> uvs;
+  std::vector<Vec2f> uvs;       // of the colour texture
+  std::vector<Vec2f> map_uvs;   // of the texture of metal and roughness
 };
 
-/// v is 0 in the bottom row. All zero if the primitive has no such set.
-std::vector<Vec2f> read_uvs(const Source& source,
-                            const tinygltf::Primitive& primitive,
-                            int set,
-                            std::size_t count,
-                            const std::string& where);
+/// Which of the sets of coordinates the textures use.
+struct UvSets {
+  int colour = 0;
+  int map = 0;
+};
 
-/// With morph targets and bones as the pose says. `uv_set`: which of the coordinates are wanted.
+/// With morph targets and bones as the pose says.
 Vertices read_vertices(const Source& source,
                        const tinygltf::Primitive& primitive,
                        const Pose& pose,
-                       int uv_set,
+                       const UvSets& sets,
                        const std::string& where);
 
 /// The corners of its triangles, of strips and fans too.
