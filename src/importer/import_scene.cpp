@@ -49,7 +49,7 @@ scene::Scene import_scene(const std::filesystem::path& file,
   add_instances(import, nodes);
   add_lights(import, nodes);
   set_camera(import, nodes, view);
-  add_default_light(import);
+  add_sky(import, view.sky);
   name_rest(source, report);
   const auto written = folder / "scene.json";
   scene::write_scene(import.scene, written);

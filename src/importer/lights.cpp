@@ -74,7 +74,11 @@ void add_lights(Import& import, const std::vector<PlacedNode>& nodes) {
   }
 }
 
-void add_default_light(Import& import) {
+void add_sky(Import& import, const std::optional<double>& radiance) {
+  if (radiance) {
+    import.scene.environment = {*radiance, *radiance, *radiance};
+    return;
+  }
   const auto& materials = import.scene.materials;
   const bool shines = std::any_of(materials.begin(), materials.end(), [](const auto& material) {
     return std::holds_alternative<scene::Emission>(material.model);

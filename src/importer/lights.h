@@ -3,6 +3,7 @@
 #include "importer/import.h"
 #include "importer/nodes.h"
 
+#include <optional>
 #include <vector>
 
 namespace orbs::importer {
@@ -11,7 +12,8 @@ namespace orbs::importer {
 /// what emits is taken for nits: the three have one scale in both formats.
 void add_lights(Import& import, const std::vector<PlacedNode>& nodes);
 
-/// Where nothing shines: light from afar, from the upper left of what the camera sees, and an even sky.
-void add_default_light(Import& import);
+/// An even sky of that radiance. Without one, where nothing shines: light from afar, from the upper left of
+/// what the camera sees, and a sky.
+void add_sky(Import& import, const std::optional<double>& radiance);
 
 }  // namespace orbs::importer

@@ -153,6 +153,11 @@ void add_import_command(const command_line::Command& command, const Program& pro
                   "Longer side of the image, unless a scene that orbs exported says its size")
       .range(1, 16384)
       .shows_default();
+  command
+      .add_option(
+          "--sky", options->view.sky,
+          "Radiance of an even sky around the scene (default: none; 0.4 and light from afar if nothing shines)")
+      .zero_or_more();
   command.add_option(
       "--requirement", options->requirement,
       "Requirement that lists show the case under (default: B7 if a material calls for it, else G4)");

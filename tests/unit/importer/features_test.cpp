@@ -195,6 +195,15 @@ TEST(ImportedCamera, IfThereIsNoneAllIsSeen) {
   EXPECT_NE(report.choices()[1].find("no light"), std::string::npos);
 }
 
+TEST(ImportedLights, ASkyIsThatOfTheUserAlone) {
+  importer::View view;
+  view.sky = 0.5;
+  const auto [scene, report] = ImportFolder().import(triangle(), view);
+  EXPECT_EQ(scene.environment, (scene::RgbColour{0.5, 0.5, 0.5}));
+  EXPECT_TRUE(scene.lights.empty());
+  EXPECT_EQ(report.choices().size(), 1u);
+}
+
 TEST(ImportedLights, ShineAlongMinusZWithTheirIntensity) {
   auto made = triangle();
   made.json["extensions"]["KHR_lights_punctual"]["lights"] = json::array(
