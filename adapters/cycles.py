@@ -120,7 +120,7 @@ def build(scene, folder, scale_option):
     print(f"orbs: scale {scale:.9g}", flush=True)
     scales_radiance = may_start_in_glass(scene["camera"], descriptions, meshes, instances, lights)
     textures = {t["name"]: load_texture(t) for t in scene.get("textures", [])}
-    around = cycles_materials.Surroundings(textures, scales_radiance)
+    around = cycles_materials.Surroundings(textures, scales_radiance, scale)
     materials = {name: make_material(m, around) for name, m in descriptions.items()}
     add_camera(scene["camera"], scale, farthest_distance(scene["camera"]["position"], boxes))
     add_environment(scene.get("environment", [0, 0, 0]))
@@ -139,12 +139,21 @@ def checked_material(material):
     if material.get("type") not in cycles_materials.MATERIAL_TYPES:
         raise SceneError(f"{place}: Cycles has no {material.get('type')}")
     required, optional, _ = cycles_materials.MATERIAL_TYPES[material["type"]]
-    checked(material, place, {"name", "type"} | required, optional)
-    if "texture" in material:
-        use = {"name": material["texture"]} if isinstance(material["texture"], str) else material["texture"]
-        checked(use, f"{place}: texture", ["name"], ["matrix"])
-        material = {**material, "texture": {"matrix": IDENTITY, **use}}
+    material = dict(checked(material, place, {"name", "type"} | required, optional | cycles_materials.DETAIL_KEYS))
+    for key in ("texture", "opacity_texture"):
+        if key in material:
+            material[key] = checked_use(material[key], f"{place}: {key}")
+    for key, number in (("normal_map", "strength"), ("bump_map", "height")):
+        if key in material:
+            given = checked(material[key], f"{place}: {key}", ["texture"], [number])
+            material[key] = {**given, "texture": checked_use(given["texture"], f"{place}: {key}")}
     return material
+
+
+def checked_use(given, place):
+    use = {"name": given} if isinstance(given, str) else given
+    checked(use, place, ["name"], ["matrix"])
+    return {"matrix": IDENTITY, **use}
 
 
 def load_texture(texture):

@@ -193,10 +193,12 @@ def emission(shader, radiance, strength=1.0):
 
 @dataclass
 class Surroundings:
-    """Holds what the materials of a scene share: images and wraps by texture name, and whether glass scales radiance."""
+    """Holds what the materials of a scene share: images and wraps by texture name, whether glass scales radiance, and
+    Blender's units per metre."""
 
     textures: dict
     scales_radiance: bool
+    scale: float = 1.0
 
 
 def _lambert(shader, m, around):
@@ -241,10 +243,55 @@ MATERIAL_TYPES = {
 }
 
 
+# What any material may have beside its type.
+DETAIL_KEYS = {"opacity", "opacity_texture", "normal_map", "bump_map"}
+
+
+def detail_normal(shader, m, around):
+    """Normal socket of a normal or bump map, None without. The strength is written into the map: Blender's own mixes
+    normals. Heights are metres of the world, as Bump takes them with the distance 1."""
+    if "normal_map" in m:
+        strength = m["normal_map"].get("strength", 1.0)
+        texel = sampled_texture(shader, m["normal_map"]["texture"], around.textures)
+        offset = (0.5 - 0.5 * strength, 0.5 - 0.5 * strength, 0.0)
+        stretched = shader.vector("ADD", shader.vector("MULTIPLY", texel, (strength, strength, 1.0)), offset)
+        node = shader.node("ShaderNodeNormalMap", {"Color": stretched}, space="TANGENT", uv_map="uv")
+        return node.outputs["Normal"]
+    if "bump_map" in m:
+        texel = sampled_texture(shader, m["bump_map"]["texture"], around.textures)
+        height = shader.affine(texel, (m["bump_map"]["height"] * around.scale, 0.0, 0.0), 0.0)
+        return shader.node("ShaderNodeBump", {"Height": height, "Strength": 1.0, "Distance": 1.0}).outputs["Normal"]
+    return None
+
+
+def turn_normals(shader, normal):
+    for node in list(shader.tree.nodes):
+        if node.bl_idname.startswith("ShaderNodeBsdf") and "Normal" in node.inputs:
+            shader.connect(normal, node.inputs["Normal"])
+
+
+def let_rays_pass(shader, surface, m, around):
+    """A mix with what lies behind: Transparent is not counted among the bounces of diffuse and glossy surfaces."""
+    if m.get("opacity", 1.0) == 1 and "opacity_texture" not in m:
+        return surface
+    share = m.get("opacity", 1.0)
+    if "opacity_texture" in m:
+        texel = sampled_texture(shader, m["opacity_texture"], around.textures)
+        node = shader.node("ShaderNodeSeparateXYZ", {"Vector": texel})
+        largest = shader.math("MAXIMUM", node.outputs["X"], shader.math("MAXIMUM", node.outputs["Y"], node.outputs["Z"]))
+        share = shader.math("MULTIPLY", largest, share)
+    behind = shader.node("ShaderNodeBsdfTransparent").outputs["BSDF"]
+    return shader.node("ShaderNodeMixShader", {0: share, 1: behind, 2: surface}).outputs["Shader"]
+
+
 def make_material(description, around):
     shader = Shader(description["name"])
     build = MATERIAL_TYPES[description["type"]][2]
-    return shader.finish(build(shader, description, around))
+    surface = build(shader, description, around)
+    normal = detail_normal(shader, description, around)
+    if normal is not None:
+        turn_normals(shader, normal)
+    return shader.finish(let_rays_pass(shader, surface, description, around))
 
 
 # --- lights ---------------------------------------------------------------------------------------------------------

@@ -51,7 +51,7 @@ def set_integrator(depth, arguments):
         "pixel_filter_type": "BOX", "film_exposure": 1.0, "use_fast_gi": False,
         # A path of N scatterings with light sampling at each is what Cycles calls N - 1 bounces.
         "max_bounces": depth - 1, "diffuse_bounces": depth - 1, "glossy_bounces": depth - 1,
-        "transmission_bounces": depth - 1, "transparent_max_bounces": depth - 1, "volume_bounces": 0,
+        "transmission_bounces": depth - 1, "transparent_max_bounces": 1024, "volume_bounces": 0,
         "use_auto_tile": False,
     }  # fmt: skip
     for key, value in settings.items():

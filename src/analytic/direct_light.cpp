@@ -82,7 +82,7 @@ registry::AnalyticShape shape_at(const registry::AnalyticShape& shape, double ti
 
 double lit(
     const registry::DirectLight& image, double reflectance, Vec3d point, Vec3d normal, double time = 0) {
-  double sum = image.environment + irradiance_of_lights(image, point, normal) / std::numbers::pi;
+  double sum = image.environment + irradiance_of_lights(image, point, normal, normal) / std::numbers::pi;
   const auto blockers = blockers_at(image, point, time);
   for (const auto& source : image.sources) {
     const auto seen = coverage(shape_at(source.shape, time), source.window, blockers, point, normal);
@@ -155,22 +155,43 @@ double mean_over_shutter(const registry::DirectLight& image, const Ray& ray) {
 
 }  // namespace
 
+namespace {
+
+double shown(const registry::DirectLight& image,
+             const registry::AnalyticSurface& met,
+             const Hit& hit,
+             const Ray& ray) {
+  const bool is_front = dot(hit.normal, ray.direction) < 0;
+  // The inside of a sphere shines, as that of a room does.
+  const bool shines = is_front || std::holds_alternative<registry::FormulaSphere>(met.shape);
+  if (!met.reflectance) return shines ? met.radiance : 0;
+  const Vec3d point = ray.origin + ray.direction * hit.distance;
+  const Vec3d normal = is_front ? hit.normal : -hit.normal;
+  if (!met.shading_normal) return lit(image, *met.reflectance, point, normal);
+  const Vec3d turned = is_front ? *met.shading_normal : -*met.shading_normal;
+  // What faces away from the viewer by its shading normal is black.
+  if (!(dot(turned, ray.direction) < 0)) return 0;
+  return *met.reflectance * irradiance_of_lights(image, point, normal, turned) / std::numbers::pi;
+}
+
+}  // namespace
+
 double direct_light(const registry::DirectLight& image, const Ray& ray) {
   if (image.shutter) return mean_over_shutter(image, ray);
-  Hit nearest;
-  const registry::AnalyticSurface* met = nullptr;
+  std::vector<std::pair<Hit, const registry::AnalyticSurface*>> hits;
   for (const auto& surface : image.surfaces)
-    if (const auto hit = std::visit(Intersect{ray}, surface.shape); hit && hit->distance < nearest.distance) {
-      nearest = *hit;
-      met = &surface;
-    }
-  if (met == nullptr) return image.environment;
-  const bool is_front = dot(nearest.normal, ray.direction) < 0;
-  // The inside of a sphere shines, as that of a room does.
-  const bool shines = is_front || std::holds_alternative<registry::FormulaSphere>(met->shape);
-  if (!met->reflectance) return shines ? met->radiance : 0;
-  return lit(image, *met->reflectance, ray.origin + ray.direction * nearest.distance,
-             is_front ? nearest.normal : -nearest.normal);
+    if (const auto hit = std::visit(Intersect{ray}, surface.shape)) hits.emplace_back(*hit, &surface);
+  // Of two at one distance the first one counts, as it stands in the case.
+  std::stable_sort(hits.begin(), hits.end(),
+                   [](const auto& a, const auto& b) { return a.first.distance < b.first.distance; });
+  double sum = 0;
+  double left = 1;
+  for (const auto& [hit, met] : hits) {
+    sum += left * met->opacity * shown(image, *met, hit, ray);
+    left *= 1 - met->opacity;
+    if (left == 0) return sum;
+  }
+  return sum + left * image.environment;
 }
 
 }  // namespace orbs::analytic

@@ -47,11 +47,14 @@ bool hides(const registry::FlatPolygon& polygon, Vec3d point, Vec3d to_light, do
   return true;
 }
 
-bool is_hidden(const registry::DirectLight& image, Vec3d point, Vec3d to_light, double distance) {
-  return image.has_shadows &&
-         std::any_of(image.surfaces.begin(), image.surfaces.end(), [&](const auto& surface) {
-           return hides(std::get<registry::FlatPolygon>(surface.shape), point, to_light, distance);
-         });
+// The share of the light that no surface on the way holds back.
+double share_let_through(const registry::DirectLight& image, Vec3d point, Vec3d to_light, double distance) {
+  double share = 1;
+  if (!image.has_shadows) return share;
+  for (const auto& surface : image.surfaces)
+    if (hides(std::get<registry::FlatPolygon>(surface.shape), point, to_light, distance))
+      share *= 1 - surface.opacity;
+  return share;
 }
 
 }  // namespace
@@ -66,16 +69,21 @@ double candela_towards(const std::vector<std::pair<double, double>>& rows, Vec3d
   return at_low + (at_high - at_low) * (degrees - low) / (high - low);
 }
 
-double irradiance_of_lights(const registry::DirectLight& image, Vec3d point, Vec3d normal) {
+double irradiance_of_lights(const registry::DirectLight& image,
+                            Vec3d point,
+                            Vec3d normal,
+                            Vec3d shading_normal) {
   double sum = 0;
   for (const auto& light : image.lights) {
     const Vec3d way = light.position ? *light.position - point : -light.direction;
     const double distance = light.position ? length(way) : std::numeric_limits<double>::infinity();
     const Vec3d to_light = light.position ? way / distance : way;
-    const double cosine = dot(normal, to_light);
-    if (!(cosine > 0) || is_hidden(image, point, to_light, distance)) continue;
-    sum += light.position ? intensity_towards(light, -to_light) * cosine / (distance * distance)
-                          : light.strength * cosine;
+    const double cosine = dot(shading_normal, to_light);
+    if (!(cosine > 0) || !(dot(normal, to_light) > 0)) continue;
+    const double share = share_let_through(image, point, to_light, distance);
+    if (share == 0) continue;
+    sum += share * (light.position ? intensity_towards(light, -to_light) * cosine / (distance * distance)
+                                   : light.strength * cosine);
   }
   return sum;
 }

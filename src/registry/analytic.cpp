@@ -56,6 +56,17 @@ void load_end(ObjectReader& in, AnalyticShape& shape) {
   check_stays_in_plane(in, *polygon);
 }
 
+void load_detail(ObjectReader& in, AnalyticSurface& surface) {
+  const auto* polygon = std::get_if<FlatPolygon>(&surface.shape);
+  if (polygon == nullptr || !polygon->end_corners.empty())
+    in.fail("", "only polygons that rest have 'opacity' and 'shading_normal'");
+  surface.opacity = in.number_or("opacity", 1, {0, 1});
+  if (!in.has("shading_normal")) return;
+  if (!surface.reflectance)
+    in.fail("shading_normal", "is that of a surface that is lit: give it a reflectance");
+  surface.shading_normal = load_unit(in, "shading_normal");
+}
+
 AnalyticSurface load_surface(ObjectReader in) {
   AnalyticSurface surface{load_shape(in), in.number_or("radiance", 0, json::kNotNegative), {}};
   load_end(in, surface.shape);
@@ -64,6 +75,7 @@ AnalyticSurface load_surface(ObjectReader in) {
       in.fail("reflectance", "only polygons and spheres are lit; give the disk a radiance");
     surface.reflectance = in.number("reflectance", {0, 1});
   }
+  if (in.has("opacity") || in.has("shading_normal")) load_detail(in, surface);
   in.finish();
   return surface;
 }
@@ -132,6 +144,12 @@ DirectLight load_direct_light(ObjectReader& in) {
   for (auto& entry : in.objects_or_none("lights")) image.lights.push_back(load_light(std::move(entry)));
   if (image.surfaces.empty()) in.fail("surfaces", "must hold at least one surface");
   image.has_shadows = in.boolean_or("shadows", false);
+  const bool has_detail = std::any_of(image.surfaces.begin(), image.surfaces.end(), [](const auto& surface) {
+    return surface.opacity < 1 || surface.shading_normal;
+  });
+  if (has_detail && !(image.sources.empty() && image.environment == 0))
+    in.fail("surfaces",
+            "with 'opacity' or 'shading_normal' have a closed form here in the light of 'lights' alone");
   load_shutter(in, image);
   if (image.shutter && !image.lights.empty())
     in.fail("lights", "have no closed form here where something moves: their shadows have hard edges");

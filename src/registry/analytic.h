@@ -44,6 +44,8 @@ struct AnalyticSurface {
   AnalyticShape shape;
   double radiance = 0;
   std::optional<double> reflectance;
+  double opacity = 1;  // of a polygon: the rest of the light passes straight on
+  std::optional<Vec3d> shading_normal = std::nullopt;  // unit, in front, of a lit polygon that has another
 };
 
 /// What lights the surfaces. Its back is black, and it hides what lies behind it.
@@ -68,8 +70,8 @@ struct AnalyticLight {
 };
 
 /// Direct light on diffuse surfaces, L = rho / pi E. The case's promise: seen from a lit point, sources do
-/// not overlap. With shadows, surfaces hide sources and lights, and all of both are polygons; without,
-/// nothing does.
+/// not overlap. Only parallel light and that of points passes what is not opaque. With shadows, surfaces hide
+/// sources and lights, and all of both are polygons; without, nothing does.
 struct DirectLight {
   double environment = 0;
   bool has_shadows = false;

@@ -19,6 +19,16 @@ const std::optional<TextureUse>& texture_of(const MaterialModel& model) {
       model);
 }
 
+std::vector<TextureUse> texture_uses(const Material& material) {
+  std::vector<TextureUse> uses;
+  if (const auto& use = texture_of(material.model)) uses.push_back(*use);
+  const SurfaceDetail& detail = material.detail;
+  if (detail.opacity_texture) uses.push_back(*detail.opacity_texture);
+  if (detail.normal_map) uses.push_back(detail.normal_map->texture);
+  if (detail.bump_map) uses.push_back(detail.bump_map->texture);
+  return uses;
+}
+
 const std::optional<SpectrumUse>& spectrum_of(const MaterialModel& model) {
   static const std::optional<SpectrumUse> kNone;
   return std::visit(
@@ -34,6 +44,7 @@ Material load_material(json::ObjectReader& in, const Names& textures, SpectralDa
   material.name = in.text("name");
   const MaterialEntry entry{in, textures, spectra};
   material.model = load_kind<MaterialModel>(in, entry);
+  material.detail = load_surface_detail(in, textures);
   in.finish();
   return material;
 }

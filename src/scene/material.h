@@ -15,10 +15,12 @@
 #include "scene/materials/polariser.h"
 #include "scene/materials/retarder.h"
 #include "scene/materials/rough_glass.h"
+#include "scene/surface_detail.h"
 
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 namespace orbs::scene {
 
@@ -46,6 +48,7 @@ using MaterialModel = MaterialVariant<Lambert,
 struct Material {
   std::string name;
   MaterialModel model;
+  SurfaceDetail detail{};
   bool operator==(const Material&) const = default;
 };
 
@@ -54,6 +57,9 @@ const char* type_name(const MaterialModel& model);
 
 /// The texture of a material, if its model has one.
 const std::optional<TextureUse>& texture_of(const MaterialModel& model);
+
+/// All textures of a material: that of its model and those of its detail.
+std::vector<TextureUse> texture_uses(const Material& material);
 
 /// The spectrum that a model has in the place of its colour, if it has one.
 const std::optional<SpectrumUse>& spectrum_of(const MaterialModel& model);

@@ -141,6 +141,11 @@ def main() -> None:
     # What textures do beyond their edges and between their texels; rows from the top.
     four = [[(40, 70, 220), (240, 220, 80)], [(230, 60, 40), (50, 200, 60)]]
     write_png("four_colours.png", [[tuple(v / 255 for v in colour) for colour in row] for row in four])
+    # A normal that leans to +u and +v.
+    write_png("tilted_normal.png", [[tuple(v / 255 for v in (166, 153, 246))]])
+    # Shares of rays that meet a surface.
+    mask = [[255, 0, 128, 64], [0, 255, 64, 0], [128, 255, 0, 255], [255, 64, 255, 0]]
+    write_png("mask.png", [[v / 255 for v in row] for row in mask], grey=True)
 
 
 if __name__ == "__main__":

@@ -30,6 +30,17 @@ std::string roughness(const scene::Roughness& r) {
   return roughness(r.alpha, r.distribution == scene::Distribution::Ggx ? "ggx" : "beckmann");
 }
 
+std::string bitmap(const char* name,
+                   const std::string& file,
+                   const scene::Texture& texture,
+                   const std::string& more) {
+  return fmt::format(
+      "<texture type=\"bitmap\" name=\"{}\"><string name=\"filename\" value=\"{}\"/><string "
+      "name=\"filter_type\" value=\"{}\"/><string name=\"wrap_mode\" value=\"{}\"/>{}</texture>",
+      name, file, texture.filter == scene::Filter::Nearest ? "nearest" : "bilinear", word_of(texture.wrap_u),
+      more);
+}
+
 struct MaterialLimits {
   const std::string& name;
   bool is_polarised = false;  // the scene is for scalar_spectral_polarized
@@ -108,11 +119,7 @@ struct BsdfWriter {
                                        colours.surface("reflectance", reflectance, spectrum)));
     const scene::Texture& texture = texture_at(colours.scene, *use);
     return two_sided(
-        id, fmt::format("<bsdf type=\"diffuse\"><texture type=\"bitmap\" name=\"reflectance\"><string "
-                        "name=\"filename\" value=\"{}\"/><string name=\"filter_type\" "
-                        "value=\"{}\"/><string name=\"wrap_mode\" value=\"{}\"/></texture></bsdf>",
-                        image, texture.filter == scene::Filter::Nearest ? "nearest" : "bilinear",
-                        word_of(texture.wrap_u)));
+        id, fmt::format("<bsdf type=\"diffuse\">{}</bsdf>", bitmap("reflectance", image, texture, "")));
   }
   // The parameters that both types of glass share. Mitsuba's default for the outside is air, 1.000277.
   std::string dielectric(const char* type, double inside, double outside, const std::string& more) const {
@@ -177,7 +184,7 @@ struct BsdfWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"C1", "C2", "C3", "D1", "D2", "D3", "E1", "E2", "E3", "N4", "N5"},
+      {"C1", "C2", "C3", "D1", "D2", "D3", "E1", "E2", "E3", "N3", "N4", "N5"},
       {{"B1", "Mitsuba's rough metals follow n and k and are masked by the separable term"},
        {"B7", "Mitsuba's principled BSDF is another model"},
        {"B8", "Mitsuba 3 has no Phong reflection"},
@@ -200,9 +207,18 @@ std::string material_limit(const scene::Material& material, bool is_polarised) {
 
 std::string bsdf_text(const Colours& colours, int material, const std::string& stem) {
   const auto& m = material_at(colours.scene, material);
-  const std::string id = fmt::format("material{}", material);
+  const std::string name = fmt::format("material{}", material);
+  const bool is_open = lets_rays_pass(m.detail);
+  const std::string id = is_open ? name + "-whole" : name;
   const std::string image = tinted_image_name(material, stem);
-  return xml_comment(m.name) + text_of_material(m, kName, BsdfWriter{colours, id, image});
+  const auto whole = text_of_material(m, kName, BsdfWriter{colours, id, image});
+  if (!is_open) return xml_comment(m.name) + whole;
+  const auto& use = m.detail.opacity_texture;
+  const auto opacity = use ? bitmap("opacity", opacity_image_name(material, stem),
+                                    texture_at(colours.scene, *use), "<boolean name=\"raw\" value=\"true\"/>")
+                           : fmt::format("<float name=\"opacity\" value=\"{}\"/>", m.detail.opacity);
+  return xml_comment(m.name) +
+         fmt::format("<bsdf type=\"mask\" id=\"{}\">{}\n{}</bsdf>\n", name, opacity, whole);
 }
 
 }  // namespace orbs::adapters::mitsuba

@@ -14,6 +14,7 @@
 #include "scene/camera_frame.h"
 #include "scene/effects/effects.h"
 #include "scene/geometry/ply.h"
+#include "scene/lower/lower.h"
 
 #include <algorithm>
 #include <utility>
@@ -123,13 +124,20 @@ std::string sensor_text(const scene::Camera& camera, ClipDistances clip) {
 // max_depth counts the segments of a path, one more than its scatterings. Russian roulette would only add
 // noise to paths of limited length, so it begins behind the last scattering; paths of unlimited length get
 // Mitsuba's default.
-std::string path_text(int trace_depth, const std::string& blocks) {
+// The type "path" takes what lets rays pass for opaque where it looks for lights, and counts the passes.
+std::string path_text(const scene::Scene& scene, const std::string& blocks) {
+  const int trace_depth = scene.trace_depth;
+  const auto shown = scene::visible_materials(scene);
+  const bool has_openings = std::any_of(shown.begin(), shown.end(), [&](int material) {
+    return lets_rays_pass(material_at(scene, material).detail);
+  });
   constexpr int kRouletteFrom = 5;
   const bool is_unlimited = trace_depth >= scene::kUnlimitedDepth;
   return fmt::format(
-      "<integrator type=\"path\">{}<integer name=\"max_depth\" value=\"{}\"/><integer name=\"rr_depth\" "
+      "<integrator type=\"{}\">{}<integer name=\"max_depth\" value=\"{}\"/><integer name=\"rr_depth\" "
       "value=\"{}\"/></integrator>\n",
-      blocks, is_unlimited ? -1 : trace_depth + 1, is_unlimited ? kRouletteFrom : trace_depth + 1);
+      has_openings ? "volpath" : "path", blocks, is_unlimited ? -1 : trace_depth + 1,
+      is_unlimited ? kRouletteFrom : trace_depth + 1);
 }
 
 // Mitsuba seeds each pixel by its place in a square block, and takes smaller blocks for more threads. A size
@@ -147,9 +155,8 @@ std::string block_size_text(const scene::Camera& camera) {
 // The layers are named S0.R to S3.B, as ours.
 std::string integrator_text(const scene::Scene& scene) {
   const std::string blocks = block_size_text(scene.camera);
-  if (!scene.outputs.stokes) return path_text(scene.trace_depth, blocks);
-  return fmt::format("<integrator type=\"stokes\">{}{}</integrator>\n", path_text(scene.trace_depth, ""),
-                     blocks);
+  if (!scene.outputs.stokes) return path_text(scene, blocks);
+  return fmt::format("<integrator type=\"stokes\">{}{}</integrator>\n", path_text(scene, ""), blocks);
 }
 
 // Mitsuba counts the texture rows of a PLY from the top, ORB.S from the bottom: v becomes 1 - v in the file,
@@ -185,6 +192,7 @@ class Writer {
   std::string material_text(int index) {
     if (scene::texture_of(material_at(scene_, index).model))
       write_tinted(scene_, index, folder_ / tinted_image_name(index, stem_));
+    if (material_at(scene_, index).detail.opacity_texture) write_opacity(scene_, index, folder_, stem_);
     return mitsuba::bsdf_text(colours_, index, stem_);
   }
 
@@ -299,7 +307,8 @@ std::vector<std::string> mitsuba_limits(const scene::Scene& scene) {
   for (const int index : scene::visible_materials(scene)) {
     const scene::Material& material = material_at(scene, index);
     note(mitsuba::material_limit(material, transport == scene::LightTransport::Polarised));
-    if (const auto& use = scene::texture_of(material.model)) textures.insert(use->texture);
+    note(scene::texture_matrices_problem(material));
+    for (const scene::TextureUse& use : scene::texture_uses(material)) textures.insert(use.texture);
   }
   for (const int index : textures) {
     const auto& texture = nth(scene.textures, index);

@@ -44,8 +44,15 @@ constexpr const char* kTextureWords =
     "its texels multiply the colour. 8-bit files hold sRGB values: each texel is decoded first, then filtered "
     "bilinearly, without mip maps. The bottom row of the image has v = 0";
 constexpr const char* kNearestWords =
-    "its texels multiply the colour. 8-bit files hold sRGB values. The texel that the place lies in counts alone, "
+    "its texels multiply the number or the colour beside it; 8-bit files of colours hold sRGB values. The texel that the place lies in counts alone, "
     "nothing is interpolated. The bottom row of the image has v = 0";
+
+constexpr const char* kOpacityWords =
+    "a ray meets the surface with this probability and else passes straight on: rays of the camera, scattered ones "
+    "and those to lights alike. What passes is no scattering";
+constexpr const char* kOpacityTextureWords =
+    "the largest channel of its texels multiplies the opacity. The files hold plain numbers, filtered bilinearly. The "
+    "bottom row of the image has v = 0";
 
 struct MaterialWords {
   const char* operator()(const scene::Lambert&) const {
@@ -129,15 +136,26 @@ void write_settings(json::Writer& out, const scene::Scene& scene) {
 
 void write_texture(json::Writer& out,
                    const scene::Scene& scene,
+                   const char* key,
                    const scene::TextureUse& use,
+                   const char* words,
                    const std::string& stem) {
   const auto& texture = texture_at(scene, use);
-  out.key("texture").begin_object().member("file", texture_file(scene, use.texture, stem));
+  out.key(key).begin_object().member("file", texture_file(scene, use.texture, stem));
   out.member("wrap_u", word_of(texture.wrap_u)).member("wrap_v", word_of(texture.wrap_v));
   if (texture.filter == scene::Filter::Nearest) out.member("filter", "nearest");
   if (texture.encoding == scene::Encoding::Linear) out.member("encoding", "linear");
-  out.member("in_words", texture.filter == scene::Filter::Nearest ? kNearestWords : kTextureWords)
-      .end_object();
+  out.member("in_words", texture.filter == scene::Filter::Nearest ? kNearestWords : words).end_object();
+}
+
+void write_opacity(json::Writer& out,
+                   const scene::Scene& scene,
+                   const scene::SurfaceDetail& detail,
+                   const std::string& stem) {
+  if (!lets_rays_pass(detail)) return;
+  out.member("opacity", detail.opacity).member("opacity_in_words", kOpacityWords);
+  if (const auto& use = detail.opacity_texture)
+    write_texture(out, scene, "opacity_texture", *use, kOpacityTextureWords, stem);
 }
 
 void write_materials(json::Writer& out, const scene::Scene& scene, const std::string& stem) {
@@ -148,7 +166,8 @@ void write_materials(json::Writer& out, const scene::Scene& scene, const std::st
     out.begin_object().member("name", nth(names, index)).member("type", type_name(model));
     out.member("in_words", std::visit(MaterialWords{}, model));
     std::visit([&](const auto& m) { write(out, scene.spectra, m); }, model);
-    if (const auto& use = texture_of(model)) write_texture(out, scene, *use, stem);
+    if (const auto& use = texture_of(model)) write_texture(out, scene, "texture", *use, kTextureWords, stem);
+    write_opacity(out, scene, material_at(scene, index).detail, stem);
     out.end_object();
   }
   out.end_array();
@@ -165,7 +184,7 @@ void write_parts(json::Writer& out, const scene::Scene& scene, const std::vector
 void copy_files(const scene::Scene& scene, const std::string& stem, const std::filesystem::path& folder) {
   std::set<int> textures;
   for (const int index : scene::visible_materials(scene))
-    if (const auto& use = texture_of(material_at(scene, index).model)) textures.insert(use->texture);
+    for (const scene::TextureUse& use : texture_uses(material_at(scene, index))) textures.insert(use.texture);
   for (const int index : textures)
     write_file(folder / texture_file(scene, index, stem), read_file(nth(scene.textures, index).file));
   for (std::size_t i = 0; i < scene.lights.size(); ++i)

@@ -87,8 +87,12 @@ std::string mtl_text(const scene::Scene& scene,
       "# Linear Rec.709. Kd and Ke multiply the texture. description.json has the materials in words.\n";
   for (const int index : scene::visible_materials(scene)) {
     const auto& material = material_at(scene, index);
+    const MtlWriter writer{scene, stem};
     text += fmt::format("\nnewmtl {}\n{}Ka 0 0 0\n", nth(names, index),
-                        text_of_material(material, kName, MtlWriter{scene, stem}));
+                        text_of_material(material, kName, writer));
+    const scene::SurfaceDetail& detail = material.detail;
+    if (lets_rays_pass(detail))
+      text += fmt::format("d {}\n{}", detail.opacity, writer.texture("map_d", detail.opacity_texture));
   }
   return text;
 }

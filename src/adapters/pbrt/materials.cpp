@@ -67,6 +67,20 @@ struct MaterialLimits {
   }
 };
 
+// The files hold floats, which pbrt takes as they are.
+std::string image_texture(const std::string& name, const std::string& file, const scene::Texture& texture) {
+  const Vec2d scale = unmirrored_uv_scale(texture);
+  const auto scales =
+      is_mirrored(texture) ? fmt::format(" \"float uscale\" {} \"float vscale\" {}", scale.x, scale.y) : "";
+  return fmt::format(
+      "Texture \"{}\" \"float\" \"imagemap\" \"string filename\" \"{}\" \"string filter\" "
+      "\"{}\" \"string wrap\" \"{}\"{}\n",
+      name, file, texture.filter == scene::Filter::Nearest ? "point" : "bilinear",
+      word_of(unmirrored(texture).wrap_u), scales);
+}
+
+std::string opacity_name(int material) { return fmt::format("material{}-opacity", material); }
+
 struct MaterialWriter {
   const Colours& colours;
   const std::string& name;
@@ -84,16 +98,8 @@ struct MaterialWriter {
   std::string textures(const scene::Texture& texture) const {
     const auto files = tinted_channel_names(material, stem);
     const std::array images{name + "-image-r", name + "-image-g", name + "-image-b"};
-    const Vec2d scale = unmirrored_uv_scale(texture);
-    const auto scales =
-        is_mirrored(texture) ? fmt::format(" \"float uscale\" {} \"float vscale\" {}", scale.x, scale.y) : "";
     std::string text;
-    for (std::size_t c = 0; c < images.size(); ++c)
-      text += fmt::format(
-          "Texture \"{}\" \"float\" \"imagemap\" \"string filename\" \"{}\" \"string filter\" "
-          "\"{}\" \"string wrap\" \"{}\"{}\n",
-          images[c], files[c], texture.filter == scene::Filter::Nearest ? "point" : "bilinear",
-          word_of(unmirrored(texture).wrap_u), scales);
+    for (std::size_t c = 0; c < images.size(); ++c) text += image_texture(images[c], files[c], texture);
     return text + band_texture(name + "-texture", images);
   }
   // The reflectance of pbrt's conductors grows towards grazing angles, that of ORB.S's mirrors is the same at
@@ -149,7 +155,7 @@ struct MaterialWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"C1", "C2", "C3", "C4", "D1", "D2", "D3", "D4", "E1", "E2", "E6", "N4", "N5"},
+      {"C1", "C2", "C3", "C4", "D1", "D2", "D3", "D4", "E1", "E2", "E6", "N3", "N4", "N5"},
       {{"B1", "pbrt's metals follow n and k, not Schlick's formula"},
        {"B7", "pbrt has no material of metallic and roughness"},
        {"B8", "pbrt has no Phong reflection"},
@@ -167,10 +173,20 @@ std::string material_limit(const scene::Material& material) {
   return limit_of_material<MaterialWriter>(material, kName, beyond_orbs(), MaterialLimits{material.name});
 }
 
+std::string alpha_text(const scene::Material& material, int index) {
+  const scene::SurfaceDetail& detail = material.detail;
+  if (detail.opacity_texture) return fmt::format(" \"texture alpha\" \"{}\"", opacity_name(index));
+  return detail.opacity < 1 ? fmt::format(" \"float alpha\" {}", detail.opacity) : "";
+}
+
 std::string material_text(const Colours& colours, int material, const std::string& stem) {
   const auto& m = material_at(colours.scene, material);
   const std::string name = fmt::format("material{}", material);
-  return fmt::format("# material {}\n", comment_text(m.name)) +
+  const auto& use = m.detail.opacity_texture;
+  const auto opacity = use ? image_texture(opacity_name(material), opacity_image_name(material, stem),
+                                           texture_at(colours.scene, *use))
+                           : "";
+  return fmt::format("# material {}\n", comment_text(m.name)) + opacity +
          text_of_material(m, kName, MaterialWriter{colours, name, stem, material});
 }
 

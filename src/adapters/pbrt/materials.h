@@ -13,6 +13,9 @@ const BeyondOrbs& beyond_orbs();
 /// Why the material cannot be written, "" when it can or when beyond_orbs says why not.
 std::string material_limit(const scene::Material& material);
 
+/// The parameter of a shape by which it lets rays pass; "" where its material is opaque.
+std::string alpha_text(const scene::Material& material, int index);
+
 /// Declares the named material "material<i>". An emissive one reflects nothing; its radiance stands with its
 /// shapes. InputError when material_limit or beyond_orbs refuse its type.
 std::string material_text(const Colours& colours, int material, const std::string& stem);

@@ -17,6 +17,7 @@
 #include "scene/camera_frame.h"
 #include "scene/effects/effects.h"
 #include "scene/geometry/ply.h"
+#include "scene/lower/lower.h"
 
 #include <algorithm>
 #include <array>
@@ -140,6 +141,7 @@ class Writer {
     for (const int index : scene::visible_materials(scene_)) {
       if (scene::texture_of(material_at(scene_, index).model))
         write_tinted_channels(scene_, index, folder_, stem_);
+      if (material_at(scene_, index).detail.opacity_texture) write_opacity(scene_, index, folder_, stem_);
       text += pbrt::material_text(colours_, index, stem_);
     }
     for (std::size_t i = 0; i < meshes.size(); ++i) text += mesh_text(meshes[i], i);
@@ -161,9 +163,9 @@ class Writer {
     const std::string name = fmt::format("mesh{}", index);
     const std::string ply = fmt::format("{}-{}.ply", stem_, name);
     scene::write_ply(shown.mesh, folder_ / ply, scene::PlyContent::Common);
-    const std::string shape =
-        fmt::format("  NamedMaterial \"material{}\"\n  Shape \"plymesh\" \"string filename\" \"{}\"\n",
-                    shown.material, ply);
+    const std::string shape = fmt::format(
+        "  NamedMaterial \"material{}\"\n  Shape \"plymesh\" \"string filename\" \"{}\"{}\n", shown.material,
+        ply, pbrt::alpha_text(material_at(scene_, shown.material), shown.material));
     const auto& model = material_at(scene_, shown.material).model;
     const auto* emission = std::get_if<scene::Emission>(&model);
     std::string text = fmt::format("# mesh {}\n", comment_text(shown.mesh.name));
@@ -249,8 +251,9 @@ std::vector<std::string> pbrt_limits(const scene::Scene& scene) {
   for (const int index : scene::visible_materials(scene)) {
     const scene::Material& material = material_at(scene, index);
     note(pbrt::material_limit(material));
-    const auto& use = scene::texture_of(material.model);
-    if (use && !std::holds_alternative<scene::Emission>(material.model)) textures.insert(use->texture);
+    note(scene::texture_matrices_problem(material));
+    if (std::holds_alternative<scene::Emission>(material.model)) continue;
+    for (const scene::TextureUse& use : scene::texture_uses(material)) textures.insert(use.texture);
   }
   for (const int index : textures) {
     const scene::Texture& texture = nth(scene.textures, index);

@@ -3,6 +3,7 @@
 #include "adapters/kind_support.h"
 #include "adapters/mirrored_image.h"
 #include "adapters/povray/sdl.h"
+#include "adapters/tinted_image.h"
 #include "base/nth.h"
 #include "image/image_io.h"
 
@@ -65,6 +66,31 @@ std::string tinted(const scene::Scene& scene,
                        tint.x, other);
   return fmt::format("{}\n  texture {{ {} finish {{ diffuse 0 }} }}", plain,
                      image_map(scene, *use, stem, " filter all 1"));
+}
+
+constexpr const char* kClear = "pigment { rgbt 1 } finish { diffuse 0 }";
+
+// What stands between the braces of `texture { ... }`, as the entries of a map want it.
+std::string body_of(const std::string& texture) {
+  const auto open = texture.find('{');
+  return texture.substr(open + 1, texture.rfind('}') - open - 1);
+}
+
+// A mean of the texture and of nothing, weighted by the opacity, which shadows follow too.
+std::string with_openings(const scene::Scene& scene,
+                          int material,
+                          const std::string& whole,
+                          const std::string& stem) {
+  const scene::SurfaceDetail& detail = material_at(scene, material).detail;
+  const auto& use = detail.opacity_texture;
+  if (!use)
+    return fmt::format("texture {{ average texture_map {{ [{} {}] [{} {}] }} }}", 1 - detail.opacity, kClear,
+                       detail.opacity, body_of(whole));
+  const scene::Texture& texture = texture_in(scene, use->texture);
+  return fmt::format(
+      "texture {{ uv_mapping image_pattern {{ exr \"{}\"{} }} texture_map {{ [0 {}] [1 {}] }} }}",
+      opacity_image_name(material, stem), texture.filter == scene::Filter::Nearest ? "" : " interpolate 2",
+      kClear, body_of(whole));
 }
 
 struct MaterialLimits {
@@ -168,7 +194,7 @@ std::string texture_copy(const scene::Scene& scene, int index, const std::string
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"C1", "C2", "C3", "C4", "D1", "D2", "D3", "E6", "N4", "N5", "S1", "S2", "S3", "S4"},
+      {"C1", "C2", "C3", "C4", "D1", "D2", "D3", "E6", "N3", "N4", "N5", "S1", "S2", "S3", "S4"},
       {{"B1", "POV-Ray has glossy highlights of light sources, no glossy reflection"},
        {"B7", "POV-Ray has no microfacets"},
        {"B8", "POV-Ray's phong is a highlight of light sources alone, without the cosine"},
@@ -185,14 +211,37 @@ const BeyondOrbs& beyond_orbs() {
   return kLevels;
 }
 
-std::string material_limit(const scene::Material& material) {
+namespace {
+
+// Meshes have one list of texture coordinates, and layers are no part of a mean.
+std::string opening_limit(const scene::Scene& scene, const scene::Material& material) {
+  const auto& use = material.detail.opacity_texture;
+  const auto& own = texture_of(material.model);
+  if (!lets_rays_pass(material.detail) || !own) return "";
+  if (!std::holds_alternative<scene::Lambert>(material.model) ||
+      !scene::is_grey(std::get<scene::Lambert>(material.model).reflectance))
+    return fmt::format("material '{}' has a tinted texture and lets rays pass: POV-Ray mixes no layers",
+                       material.name);
+  if (!use) return "";
+  const scene::Texture& a = texture_at(scene, *own);
+  const scene::Texture& b = texture_at(scene, *use);
+  if (own->matrix == use->matrix && a.wrap_u == b.wrap_u && a.wrap_v == b.wrap_v) return "";
+  return fmt::format("material '{}' has textures that lie differently: POV-Ray has one list of coordinates",
+                     material.name);
+}
+
+}  // namespace
+
+std::string material_limit(const scene::Scene& scene, const scene::Material& material) {
+  if (auto reason = opening_limit(scene, material); !reason.empty()) return reason;
   return limit_of_material<TextureWriter>(material, kName, beyond_orbs(), MaterialLimits{material.name});
 }
 
 std::string material_declaration(const scene::Scene& scene, int material, const std::string& stem) {
   const auto& m = material_at(scene, material);
+  const auto whole = text_of_material(m, kName, TextureWriter{scene, stem});
   return fmt::format("#declare Material{} =\n  {}\n", material,
-                     text_of_material(m, kName, TextureWriter{scene, stem}));
+                     lets_rays_pass(m.detail) ? with_openings(scene, material, whole, stem) : whole);
 }
 
 }  // namespace orbs::adapters::povray

@@ -30,7 +30,7 @@ std::string texture_copy(const scene::Scene& scene, int index, const std::string
 const BeyondOrbs& beyond_orbs();
 
 /// Why the material cannot be written, "" when it can or when beyond_orbs says why not.
-std::string material_limit(const scene::Material& material);
+std::string material_limit(const scene::Scene& scene, const scene::Material& material);
 
 /// `#declare Material<i> = texture {...}` with all layers. InputError when material_limit or beyond_orbs
 /// refuse its type.

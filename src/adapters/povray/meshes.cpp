@@ -63,7 +63,8 @@ class Mesh2Builder {
   Mesh2Builder(const scene::Scene& scene, const Mesh& mesh) : scene_(scene), mesh_(mesh) {}
 
   void add(const std::array<std::uint32_t, 3>& triangle, int material) {
-    const auto& use = scene::texture_of(material_at(scene_, material).model);
+    const auto& given = material_at(scene_, material);
+    const auto& use = texture_of(given.model) ? texture_of(given.model) : given.detail.opacity_texture;
     const auto corner = [&](std::size_t i) { return corner_of(scene_, mesh_, triangle[i], use); };
     const std::array corners{corner(0), corner(1), corner(2)};
     if (!has_area(corners)) return;

@@ -9,6 +9,7 @@
 #include "adapters/povray/meshes.h"
 #include "adapters/povray/sdl.h"
 #include "adapters/povray/shapes.h"
+#include "adapters/tinted_image.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "base/nth.h"
@@ -261,6 +262,8 @@ void write_povray(const scene::Scene& given,
     with_note(fmt::format("copying texture '{}' for POV-Ray", texture.name),
               [&] { write_texture(texture, folder / povray::texture_copy(scene, index, stem)); });
   }
+  for (const int index : scene::visible_materials(scene))
+    if (material_at(scene, index).detail.opacity_texture) write_opacity(scene, index, folder, stem);
   if (!text.meshes.text.empty()) write_file(folder / (stem + "-meshes.inc"), text.meshes.text);
   write_file(file, text.scene);
 }
@@ -318,8 +321,8 @@ std::vector<std::string> povray_limits(const scene::Scene& scene, const PovraySe
   std::set<int> textures;
   for (const int index : materials) {
     const scene::Material& material = material_at(scene, index);
-    note(povray::material_limit(material));
-    if (const auto& use = scene::texture_of(material.model)) textures.insert(use->texture);
+    note(povray::material_limit(scene, material));
+    for (const scene::TextureUse& use : texture_uses(material)) textures.insert(use.texture);
   }
   for (const int texture : textures) note(texture_limit(nth(scene.textures, texture)));
   for (std::size_t i = 0; i < scene.shapes.size(); ++i)

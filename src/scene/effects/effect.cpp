@@ -34,6 +34,10 @@ std::string_view effect_name(Effect effect) {
       return "motion";
     case Effect::LightWithoutArea:
       return "light without area";
+    case Effect::Opacity:
+      return "opacity";
+    case Effect::TurnedNormals:
+      return "turned normals";
   }
   return "";
 }

@@ -22,6 +22,8 @@ enum class Effect {
   PathClasses,       // a layer for each class of light path
   Motion,            // something moves while the shutter is open
   LightWithoutArea,  // a point, a spot, a direction
+  Opacity,           // surfaces that let a share of the rays pass
+  TurnedNormals,     // normals by a texture
 };
 
 /// The word for it, as messages and files write it: "thin film".

@@ -54,9 +54,13 @@ EffectVerdict verdict_on_light(const Scene& scene, const SpectrumUse& use, bool 
 }
 
 // All effects that the material would call for if a surface showed it.
-std::vector<EffectVerdict> verdicts_on(const Scene& scene, const MaterialModel& model) {
-  auto found = std::visit([&](const auto& m) { return effects(scene.spectra, m); }, model);
-  if (texture_of(model)) found.push_back({Effect::Texture, true, "has a texture"});
+std::vector<EffectVerdict> verdicts_on(const Scene& scene, const Material& material) {
+  auto found = std::visit([&](const auto& m) { return effects(scene.spectra, m); }, material.model);
+  if (texture_of(material.model)) found.push_back({Effect::Texture, true, "has a texture"});
+  const SurfaceDetail& detail = material.detail;
+  if (lets_rays_pass(detail)) found.push_back({Effect::Opacity, true, "lets a share of the rays pass"});
+  if (detail.normal_map) found.push_back({Effect::TurnedNormals, true, "has a normal map"});
+  if (detail.bump_map) found.push_back({Effect::TurnedNormals, true, "has a bump map"});
   return found;
 }
 
@@ -65,7 +69,7 @@ void add_materials(const Scene& scene, SceneEffects& found) {
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const auto& material = scene.materials[i];
     const bool is_shown = visible.contains(static_cast<int>(i));
-    for (auto& verdict : verdicts_on(scene, material.model)) {
+    for (auto& verdict : verdicts_on(scene, material)) {
       if (verdict.is_called_for && !is_shown)
         verdict = {verdict.effect, false, "would, but no surface shows it: it " + verdict.reason};
       note(found, verdict, fmt::format("material '{}'", material.name));
@@ -199,6 +203,8 @@ LightTransport transport_for(Effect effect) {
     case Effect::PathClasses:
     case Effect::Motion:
     case Effect::LightWithoutArea:
+    case Effect::Opacity:
+    case Effect::TurnedNormals:
       return LightTransport::Rgb;
   }
   return LightTransport::Rgb;

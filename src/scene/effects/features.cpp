@@ -43,6 +43,8 @@ const char* level_for(Effect effect) {
     case Effect::PathClasses:
     case Effect::Motion:
     case Effect::LightWithoutArea:
+    case Effect::Opacity:
+    case Effect::TurnedNormals:
       return "";
   }
   return "";
@@ -114,13 +116,19 @@ std::vector<CalledFeature> features_of_materials(const Scene& scene) {
       features.push_back({code, fmt::format("material '{}' {}", material.name, what)});
     };
     note(needed.code, fmt::format("is {}", needed.what));
+    const SurfaceDetail& detail = material.detail;
+    if (detail.normal_map) note("N1", "has a normal map");
+    if (detail.bump_map) note("N2", "has a bump map");
+    if (lets_rays_pass(detail)) note("N3", "lets a share of the rays pass");
+    for (const TextureUse& use : texture_uses(material)) {
+      const Texture& image = texture_at(scene, use);
+      if (image.wrap_u == Wrap::Mirror || image.wrap_v == Wrap::Mirror) note("N4", "has a mirrored texture");
+      if (image.filter == Filter::Nearest) note("N5", "has a texture that is not interpolated");
+      if (use.matrix != Mat4{}) note("M5", "has a texture matrix");
+    }
     const auto& texture = texture_of(material.model);
     if (!texture) continue;
     note(std::holds_alternative<Emission>(material.model) ? "M6" : "M4", "has a texture");
-    const Texture& image = texture_at(scene, *texture);
-    if (image.wrap_u == Wrap::Mirror || image.wrap_v == Wrap::Mirror) note("N4", "has a mirrored texture");
-    if (image.filter == Filter::Nearest) note("N5", "has a texture that is not interpolated");
-    if (texture->matrix != Mat4{}) note("M5", "has a texture matrix");
   }
   return features;
 }

@@ -21,8 +21,9 @@ struct CalledFeature {
 /// polarisation, E4 fluorescence, E5 thin films, E6 dispersion; S1 quadrics by formula, S2 tori and
 /// superellipsoids, S3 implicit surfaces, S4 solids by CSG, S5 subdivision surfaces, S6 their displacement,
 /// S7 shapes of plug-ins; T1 instances that move, T2 meshes that change their shape, T3 a camera that moves;
-/// I1 ambient occlusion, I2 irradiance caches; N4 mirrored textures, N5 textures that are not interpolated;
-/// C1 a lens, C2 an orthographic camera, C3 a shifted lens, C4 a latitude-longitude image.
+/// I1 ambient occlusion, I2 irradiance caches; N1 normal maps, N2 bump maps, N3 surfaces that let rays pass,
+/// N4 mirrored textures, N5 textures that are not interpolated; C1 a lens, C2 an orthographic camera, C3 a
+/// shifted lens, C4 a latitude-longitude image.
 std::vector<CalledFeature> features_called_for(const Scene& scene);
 
 /// The parts of features_called_for; one object may call for several requirements, and one requirement may be

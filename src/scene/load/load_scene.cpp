@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "scene/effects/effects.h"
 #include "scene/load/camera.h"
+#include "scene/load/detail_checks.h"
 #include "scene/load/instance.h"
 #include "scene/load/mesh.h"
 #include "scene/load/spectra.h"
@@ -124,6 +125,10 @@ void check_materials(const Scene& scene, const std::vector<json::ObjectReader>& 
   for (std::size_t i = 0; i < readers.size(); ++i)
     if (const auto problem = check_polariser_axis(scene, static_cast<int>(i)); !problem.empty())
       readers[i].fail("", problem);
+  std::string key;
+  for (std::size_t i = 0; i < readers.size(); ++i)
+    if (const auto problem = detail_problem(scene, static_cast<int>(i), key); !problem.empty())
+      readers[i].fail(key, problem);
 }
 
 void check_textures(const Scene& scene, const std::vector<json::ObjectReader>& readers) {

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "image/image_io.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -15,26 +16,27 @@ namespace orbs::scene {
 
 namespace {
 
-bool multiplies_reflectance(const Scene& scene, std::size_t texture) {
-  for (const auto& material : scene.materials) {
-    const auto& use = texture_of(material.model);
-    if (use && static_cast<std::size_t>(use->texture) == texture &&
-        !std::holds_alternative<Emission>(material.model))
-      return true;
-  }
-  return false;
+// Reflectances and opacities lie in [0, 1].
+bool multiplies_share(const Scene& scene, std::size_t texture) {
+  const auto is_it = [&](const std::optional<TextureUse>& use) {
+    return use && static_cast<std::size_t>(use->texture) == texture;
+  };
+  return std::any_of(scene.materials.begin(), scene.materials.end(), [&](const Material& material) {
+    return (is_it(texture_of(material.model)) && !std::holds_alternative<Emission>(material.model)) ||
+           is_it(material.detail.opacity_texture);
+  });
 }
 
-std::string texel_problem(const image::Image& image, bool is_reflectance) {
+std::string texel_problem(const image::Image& image, bool is_share) {
   const auto channels = image::texture_channels(image);
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x)
       for (const auto channel : channels) {
         const float value = image.at(x, y, channel);
-        const char* wanted = !std::isfinite(value)         ? "texels must be finite"
-                             : value < 0                   ? "texels must not be negative"
-                             : is_reflectance && value > 1 ? "those of a reflectance must not be above 1"
-                                                           : nullptr;
+        const char* wanted = !std::isfinite(value)   ? "texels must be finite"
+                             : value < 0             ? "texels must not be negative"
+                             : is_share && value > 1 ? "those of a reflectance must not be above 1"
+                                                     : nullptr;
         if (wanted != nullptr)
           return fmt::format("texel ({}, {}), counted from 0 at the top left, has {} in channel {}; {}", x, y,
                              value, image.channels[channel], wanted);
@@ -49,7 +51,7 @@ std::string texture_problem(const Scene& scene, std::size_t texture) {
   try {
     if (!image::is_float_format(file)) return "";
     const auto image = image::read_image(file);
-    const auto problem = texel_problem(image, multiplies_reflectance(scene, texture));
+    const auto problem = texel_problem(image, multiplies_share(scene, texture));
     return problem.empty() ? "" : fmt::format("{}: {}", file.string(), problem);
   } catch (const InputError& e) {
     return e.what();
@@ -86,7 +88,7 @@ std::vector<std::string> flat_texture_warnings(const Scene& scene,
     if (is_new) uvs->second = uvs_by_material(mesh_of(scene, instance));
     for (const auto& [own, uv] : uvs->second) {
       const int shown = remapped(instance, own);
-      if (!uv || !texture_of(material_at(scene, shown).model)) continue;
+      if (!uv || texture_uses(material_at(scene, shown)).empty()) continue;
       if (!told.insert({instance.mesh, shown}).second) continue;
       warnings.push_back(fmt::format(
           "{}: mesh '{}' shows the textured material '{}', and its texture coordinates there are absent or all "

@@ -49,13 +49,6 @@ void write_camera(Writer& out, const Camera& camera) {
   out.end_object();
 }
 
-void write_texture_use(Writer& out, const Scene& scene, const std::optional<TextureUse>& use) {
-  if (!use) return;
-  out.key("texture").begin_object();
-  out.member("name", texture_at(scene, *use).name);
-  out.key("matrix").numbers(use->matrix.m).end_object();
-}
-
 void write_model(Writer& out, const Scene& scene, const MaterialModel& model) {
   out.member("type", type_name(model));
   std::visit([&](const auto& m) { write(out, scene.spectra, m); }, model);
@@ -74,7 +67,8 @@ void write_materials(Writer& out, const Scene& scene) {
   for (const auto& material : scene.materials) {
     out.begin_object().member("name", material.name);
     write_model(out, scene, material.model);
-    write_texture_use(out, scene, texture_of(material.model));
+    if (const auto& use = texture_of(material.model)) write_texture_use(out, scene.textures, "texture", *use);
+    write(out, scene.textures, material.detail);
     out.end_object();
   }
   out.end_array();

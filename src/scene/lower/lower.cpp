@@ -27,9 +27,10 @@ void drop_spectra(Scene& scene) {
 
 namespace {
 
+// All textures of a material have the same one where they are baked (check_texture_matrices).
 bool has_texture_matrix(const Material& material) {
-  const auto& use = texture_of(material.model);
-  return use && use->matrix != Mat4{};
+  const auto uses = texture_uses(material);
+  return !uses.empty() && uses.front().matrix != Mat4{};
 }
 
 Vec2f transformed(const Mat4& m, Vec2f uv) {
@@ -57,7 +58,7 @@ void bake_texture_matrices(Mesh& mesh, const std::vector<Material>& materials) {
       const auto [it, is_new] = places.try_emplace({vertex, has_matrix ? index : kAsIs}, place);
       if (is_new) {
         append_vertex(out, mesh, vertex);
-        if (has_matrix) out.uvs.back() = transformed(texture_of(material.model)->matrix, mesh.uvs[vertex]);
+        if (has_matrix) out.uvs.back() = transformed(texture_uses(material).front().matrix, mesh.uvs[vertex]);
       }
       vertex = it->second;
     }
@@ -92,13 +93,26 @@ void bake_texture_matrices(Scene& scene) {
   if (!any) return;
   resolve_remap_lists(scene);
   for (auto& mesh : scene.meshes) bake_texture_matrices(mesh, scene.materials);
-  for (auto& material : scene.materials)
+  for (auto& material : scene.materials) {
     std::visit(
         [](auto& model) {
           if constexpr (requires { model.texture; })
             if (model.texture) model.texture->matrix = Mat4{};
         },
         material.model);
+    SurfaceDetail& detail = material.detail;
+    if (detail.opacity_texture) detail.opacity_texture->matrix = Mat4{};
+    if (detail.normal_map) detail.normal_map->texture.matrix = Mat4{};
+    if (detail.bump_map) detail.bump_map->texture.matrix = Mat4{};
+  }
+}
+
+std::string texture_matrices_problem(const Material& material) {
+  const auto uses = texture_uses(material);
+  for (const TextureUse& use : uses)
+    if (use.matrix != uses.front().matrix)
+      return fmt::format("material '{}' has textures with different matrices", material.name);
+  return "";
 }
 
 namespace {
@@ -131,7 +145,12 @@ std::string lower_lights(Scene& scene, const Capabilities& capabilities) {
 std::string lower_materials(Scene& scene, const Capabilities& capabilities) {
   if (!capabilities.contains("M7")) replace_smooth_oren_nayar(scene);
   if (!capabilities.contains("E1")) replace_plain_dielectrics(scene);
-  if (!capabilities.contains("M5")) bake_texture_matrices(scene);
+  if (!capabilities.contains("M5")) {
+    for (const auto& material : scene.materials)
+      if (auto problem = texture_matrices_problem(material); !problem.empty())
+        return problem + ", which needs M5";
+    bake_texture_matrices(scene);
+  }
   return lacking(features_of_materials(scene), capabilities);
 }
 

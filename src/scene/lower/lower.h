@@ -21,6 +21,9 @@ void replace_smooth_oren_nayar(Scene& scene);
 void replace_plain_dielectrics(Scene& scene);
 /// Applies each texture matrix to the coordinates of the triangles that show it; resolves remap lists for it.
 void bake_texture_matrices(Scene& scene);
+/// The complaint about a material whose textures have different matrices: no coordinates can be made of
+/// these. "" where they agree.
+std::string texture_matrices_problem(const Material& material);
 
 /// Requirement codes ("G3", "M5") that a renderer fulfils.
 using Capabilities = std::set<std::string>;

@@ -2,6 +2,7 @@
 
 #include "scene/load/spectra.h"
 #include "scene/materials/material_type.h"
+#include "scene/surface_detail.h"
 #include "scene/texture.h"
 
 #include <optional>
@@ -19,11 +20,7 @@ inline std::optional<TextureUse> load_tinted_texture(const MaterialEntry& entry,
   auto& in = entry.in;
   if (!in.has("texture")) return std::nullopt;
   if (colour.spectrum) in.fail("texture", "goes with a colour [r, g, b], not with a spectrum");
-  if (in.holds_text("texture")) return TextureUse{entry.textures.find(in, "texture"), Mat4{}};
-  auto use = in.object("texture");
-  TextureUse result{entry.textures.find(use, "name"), load_matrix(use, "matrix")};
-  use.finish();
-  return result;
+  return load_texture_use(in, "texture", entry.textures);
 }
 
 /// Whether the spectrum of a reflectance calls for Effect::Spectral; empty where there is none.

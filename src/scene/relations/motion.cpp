@@ -49,6 +49,8 @@ Scene moved(const Scene& scene, const Mat4& motion) {
     sphere.radius_m *= scale;
   }
   for (auto& shape : out.shapes) shape.matrix = motion * shape.matrix;
+  for (auto& material : out.materials)
+    if (material.detail.bump_map) material.detail.bump_map->height_m *= scale;
   if (auto* occlusion = std::get_if<AmbientOcclusion>(&out.integrator)) occlusion->distance_m *= scale;
   for (auto& material : out.materials)
     std::visit(

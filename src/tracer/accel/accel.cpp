@@ -3,6 +3,7 @@
 #include "tracer/accel/curved_surface.h"
 #include "tracer/accel/double_triangles.h"
 #include "tracer/accel/moving_triangles.h"
+#include "tracer/accel/open_triangles.h"
 #include "tracer/accel/solid_geometry.h"
 #include "tracer/accel/user_geometry.h"
 #include "tracer/numeric_fault.h"
@@ -32,11 +33,35 @@ std::vector<DoubleTriangle> triangles_of(const Quad& quad) {
   return triangles;
 }
 
+/// What filters of hits need beside Embree's own: the rays of the packet as they came, in world space.
+struct PacketContext {
+  RTCIntersectContext embree;  // first: Embree hands a pointer to it back
+  const Ray* rays = nullptr;
+};
+
+// Rejects hits of rays that pass.
+void let_pass(const RTCFilterFunctionNArguments* args) {
+  const auto& openings = *static_cast<const Openings*>(args->geometryUserPtr);
+  const Ray* rays = reinterpret_cast<const PacketContext*>(args->context)->rays;
+  const unsigned int n = args->N;
+  for (unsigned int i = 0; i < n; ++i) {
+    if (args->valid[i] == 0) continue;
+    const unsigned int instance = RTCHitN_instID(args->hit, n, i, 0);
+    const Hit hit{0,
+                  {RTCHitN_u(args->hit, n, i), RTCHitN_v(args->hit, n, i)},
+                  instance == RTC_INVALID_GEOMETRY_ID ? RTCHitN_geomID(args->hit, n, i) : instance,
+                  RTCHitN_primID(args->hit, n, i)};
+    const Ray& ray = rays[RTCRayN_id(args->ray, n, i)];
+    if (passes(openings, ray.origin, ray.direction, hit)) args->valid[i] = 0;
+  }
+}
+
 void on_error(void*, RTCError, const char* text) { throw std::runtime_error(std::string("Embree: ") + text); }
 
 }  // namespace
 
 struct Accel::State {
+  Openings openings;
   bool is_double = false;
   RTCDevice device = nullptr;
   RTCScene top = nullptr;
@@ -45,7 +70,8 @@ struct Accel::State {
   std::vector<std::vector<DoubleTriangle>> double_triangles;  // of the objects, where they are wanted
   std::vector<std::vector<MovingTriangle>> moving_triangles;  // likewise
 
-  explicit State(bool triangles_are_double) : is_double(triangles_are_double), device(rtcNewDevice(nullptr)) {
+  State(const Openings& given, bool triangles_are_double)
+      : openings(given), is_double(triangles_are_double), device(rtcNewDevice(nullptr)) {
     rtcSetDeviceErrorFunction(device, on_error, nullptr);
     top = new_scene();
   }
@@ -82,8 +108,13 @@ struct Accel::State {
     std::copy(positions.begin(), positions.end(), vertices);
   }
 
-  void add_mesh(RTCScene scene, const TriangleMesh& mesh, unsigned int id) const {
+  void add_mesh(RTCScene scene, const TriangleMesh& mesh, unsigned int id, bool is_open) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    if (is_open) {
+      rtcSetGeometryUserData(geometry, &openings);
+      rtcSetGeometryIntersectFilterFunction(geometry, let_pass);
+      rtcSetGeometryOccludedFilterFunction(geometry, let_pass);
+    }
     if (!mesh.end_positions.empty()) {
       rtcSetGeometryTimeStepCount(geometry, kTimeSteps);
       set_vertices(geometry, 1, mesh.end_positions);
@@ -106,6 +137,14 @@ struct Accel::State {
     for (const auto& triangle : kQuadTriangles)
       indices = std::copy(triangle.begin(), triangle.end(), indices);
     attach(top, geometry, id);
+  }
+
+  template <typename Triangle>
+  void add_open(std::vector<Triangle> triangles, unsigned int id) {
+    const auto kept = std::make_shared<const std::vector<OpenTriangle<Triangle>>>(
+        open_triangles(std::move(triangles), openings, id));
+    surfaces.push_back(kept);
+    attach(top, make_user_geometry(device, std::span<const OpenTriangle<Triangle>>(*kept)), id);
   }
 
   void add_double(std::vector<DoubleTriangle> triangles, unsigned int id) {
@@ -141,7 +180,7 @@ struct Accel::State {
     RTCScene& own = mesh_scenes[object.mesh];
     if (own == nullptr) {
       own = new_scene();
-      add_mesh(own, mesh, 0);
+      add_mesh(own, mesh, 0, !openings.of_material.empty());
       rtcCommitScene(own);
     }
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_INSTANCE);
@@ -156,7 +195,7 @@ struct Accel::State {
 };
 
 Accel::Accel(const AccelGeometry& geometry, Intersection intersection)
-    : state_(std::make_unique<State>(intersection == Intersection::Double)) {
+    : state_(std::make_unique<State>(geometry.openings, intersection == Intersection::Double)) {
   state_->double_triangles.reserve(geometry.objects.size());
   state_->moving_triangles.reserve(geometry.objects.size());
   for (unsigned int id = 0; id < geometry.objects.size(); ++id) {
@@ -165,14 +204,20 @@ Accel::Accel(const AccelGeometry& geometry, Intersection intersection)
     const bool is_instance = object.kind == ObjectKind::InstancedMesh || is_moving;
     if (object.kind == ObjectKind::WorldMesh || is_instance) {
       const TriangleMesh& mesh = geometry.meshes[object.mesh];
-      if (state_->is_double && is_moving)
+      const bool is_open = may_let_pass(state_->openings, object);
+      const bool is_exact = !mesh.exact_positions.empty();
+      if (is_open && state_->is_double && is_moving)
+        state_->add_open(moving_triangles(object, mesh), id);
+      else if (is_open && (state_->is_double || is_exact))
+        state_->add_open(world_triangles(object, mesh), id);
+      else if (state_->is_double && is_moving)
         state_->add_moving_double(moving_triangles(object, mesh), id);
-      else if (state_->is_double || !mesh.exact_positions.empty())
+      else if (state_->is_double || is_exact)
         state_->add_double(world_triangles(object, mesh), id);
       else if (is_instance)
         state_->add_instance(object, mesh, id);
       else
-        state_->add_mesh(state_->top, mesh, id);
+        state_->add_mesh(state_->top, mesh, id, is_open);
     }
     if (object.kind == ObjectKind::Sphere)
       state_->add_surface(surface_of(geometry.spheres[object.sphere]), id);
@@ -233,9 +278,9 @@ void load_packet(Packet& packet, std::array<int, kPacket>& valid, std::span<cons
 }  // namespace
 
 void Accel::intersect(std::span<const Ray> rays, std::span<Hit> hits, Coherence coherence) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  if (coherence == Coherence::Neighbours) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  PacketContext context;
+  rtcInitIntersectContext(&context.embree);
+  if (coherence == Coherence::Neighbours) context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   alignas(64) RTCRayHit16 packet;
   alignas(64) std::array<int, kPacket> valid{};
   for (std::size_t first = 0; first < rays.size(); first += kPacket) {
@@ -243,7 +288,8 @@ void Accel::intersect(std::span<const Ray> rays, std::span<Hit> hits, Coherence 
     load_packet(packet.ray, valid, rays.subspan(first, count));
     std::fill_n(packet.hit.geomID, kPacket, RTC_INVALID_GEOMETRY_ID);
     std::fill_n(packet.hit.instID[0], kPacket, RTC_INVALID_GEOMETRY_ID);
-    rtcIntersect16(valid.data(), state_->top, &context, &packet);
+    context.rays = &rays[first];
+    rtcIntersect16(valid.data(), state_->top, &context.embree, &packet);
     for (std::size_t lane = 0; lane < count; ++lane) {
       const bool instanced = packet.hit.instID[0][lane] != RTC_INVALID_GEOMETRY_ID;
       hits[first + lane] = {packet.ray.tfar[lane],
@@ -255,14 +301,15 @@ void Accel::intersect(std::span<const Ray> rays, std::span<Hit> hits, Coherence 
 }
 
 void Accel::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
+  PacketContext context;
+  rtcInitIntersectContext(&context.embree);
   alignas(64) RTCRay16 packet;
   alignas(64) std::array<int, kPacket> valid{};
   for (std::size_t first = 0; first < rays.size(); first += kPacket) {
     const std::size_t count = std::min(kPacket, rays.size() - first);
     load_packet(packet, valid, rays.subspan(first, count));
-    rtcOccluded16(valid.data(), state_->top, &context, &packet);
+    context.rays = &rays[first];
+    rtcOccluded16(valid.data(), state_->top, &context.embree, &packet);
     for (std::size_t lane = 0; lane < count; ++lane) blocked[first + lane] = packet.tfar[lane] < 0 ? 1 : 0;
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tracer/accel/openings.h"
 #include "tracer/geometry/ray.h"
 #include "tracer/geometry/render_object.h"
 #include "tracer/light/emitter.h"
@@ -21,6 +22,7 @@ struct AccelGeometry {
   const std::vector<Solid>& solids;
   const std::vector<PluginShape>& plugin_shapes;
   const std::vector<AreaLight>& lights;
+  Openings openings;
 };
 
 /// The arithmetic of tests of rays against triangles. Double shows by comparison where rounding decides what

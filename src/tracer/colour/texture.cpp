@@ -108,6 +108,26 @@ Vec3f lookup(const TexelGrid& grid, Vec2f uv) {
   return bottom * (1 - y.share_of_high) + top * y.share_of_high;
 }
 
+Vec2f slope_of_red(const TexelGrid& grid, Vec2f uv) {
+  if (!std::isfinite(uv.x) || !std::isfinite(uv.y) || grid.is_nearest) return {};
+  const Neighbours x = special_neighbours(uv.x, grid.width, grid.wrap_u, false);
+  const Neighbours y = special_neighbours(uv.y, grid.height, grid.wrap_v, false);
+  const auto red = [&](int column, int row) {
+    return grid
+        .texels[static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.width) +
+                static_cast<std::size_t>(column)]
+        .x;
+  };
+  const float low_row = red(x.high, y.low) - red(x.low, y.low);
+  const float high_row = red(x.high, y.high) - red(x.low, y.high);
+  const float low_column = red(x.low, y.high) - red(x.low, y.low);
+  const float high_column = red(x.high, y.high) - red(x.high, y.low);
+  const auto between = [](float a, float b, float share) { return a + (b - a) * share; };
+  // A mirrored image runs backwards in every second period, which `low` and `high` follow by themselves.
+  return {static_cast<float>(grid.width) * between(low_row, high_row, y.share_of_high),
+          static_cast<float>(grid.height) * between(low_column, high_column, x.share_of_high)};
+}
+
 UvMap uv_map(const Mat4& matrix, const scene::Texture& texture) {
   const bool keeps = has_fault(NumericFault::TexturePeriodsKept);
   const Mat4 m = keeps ? matrix : scene::without_repetitions(matrix, texture);

@@ -28,6 +28,10 @@ TexelGrid load_texels(const scene::Texture& texture, Texels texels = Texels::Lin
 /// Bilinear interpolation between texel centres at +0.5, or the texel at the place where the grid says so.
 Vec3f lookup(const TexelGrid& grid, Vec2f uv);
 
+/// How the red of what lookup gives changes with u and with v; of the bilinear interpolation, inside its
+/// cell. Zero where nothing is interpolated.
+Vec2f slope_of_red(const TexelGrid& grid, Vec2f uv);
+
 /// Affine map of texture coordinates: u' = m[0] u + m[1] v + m[2], v' = m[3] u + m[4] v + m[5].
 struct UvMap {
   std::array<float, 6> m{1, 0, 0, 0, 1, 0};

@@ -53,6 +53,35 @@ void add_materials(const scene::Scene& scene, const SceneColours& colours, World
         world.has_appearance_materials || is_appearance(nth(world.materials, index).model);
 }
 
+// Empty unless something that is shown has them: what follows is not executed then.
+void add_details(const scene::Scene& scene, World& world) {
+  bool has_openings = false;
+  bool has_normals = false;
+  for (const int index : scene::visible_materials(scene)) {
+    has_openings = has_openings || lets_rays_pass(material_at(scene, index).detail);
+    has_normals = has_normals || turns_normals(material_at(scene, index).detail);
+  }
+  const auto map_of = [&](const scene::TextureUse& use) {
+    return uv_map(use.matrix, texture_at(scene, use));
+  };
+  for (const auto& [name, model, detail] : scene.materials) {
+    if (has_openings) {
+      MaterialOpacity& opacity = world.opacities.emplace_back();
+      opacity.share = static_cast<float>(detail.opacity);
+      if (const auto& use = detail.opacity_texture) {
+        opacity.texture = use->texture;
+        opacity.uv = map_of(*use);
+      }
+    }
+    if (!has_normals) continue;
+    NormalDetail& turned = world.normal_details.emplace_back();
+    if (const auto& map = detail.normal_map)
+      turned.normal = {map->texture.texture, map_of(map->texture), static_cast<float>(map->strength)};
+    if (const auto& map = detail.bump_map)
+      turned.bump = {map->texture.texture, map_of(map->texture), static_cast<float>(map->height_m)};
+  }
+}
+
 // A transport given by the settings must have every effect that the scene calls for.
 scene::LightTransport checked_transport(const scene::Scene& scene, const WorldSettings& settings) {
   const auto& given = settings.transport;
@@ -108,6 +137,7 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
     world.textures.push_back(load_texels(
         texture, settings.fault == scene::RenderFault::RawTextures ? Texels::AsStored : Texels::Linear));
   add_materials(scene, colours, world);
+  add_details(scene, world);
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const scene::VastObjects is_vast =
       scene::vast_objects(scene, has_fault(NumericFault::VastInSingle) ? kNone : kVast);
@@ -124,9 +154,15 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
   if (settings.mirrored_light && samples_lights(world)) find_mirror_planes(world);
   if (settings.light_paths && why_no_light_paths(world).empty())
     world.caustic_casters = find_caustic_casters(world);
-  world.accel = std::make_unique<Accel>(AccelGeometry{world.objects, world.meshes, world.spheres,
-                                                      world.solids, world.plugin_shapes, world.lights},
-                                        settings.intersection);
+  world.accel =
+      std::make_unique<Accel>(AccelGeometry{world.objects,
+                                            world.meshes,
+                                            world.spheres,
+                                            world.solids,
+                                            world.plugin_shapes,
+                                            world.lights,
+                                            {world.objects, world.meshes, world.textures, world.opacities}},
+                              settings.intersection);
   return world;
 }
 

@@ -126,6 +126,12 @@ int index_of(std::vector<MirrorPlane>& planes, const MirrorPlane& plane) {
   return index;
 }
 
+bool turns_normals(const World& world, int material) {
+  if (world.normal_details.empty()) return false;
+  const auto& [normal, bump] = nth(world.normal_details, material);
+  return normal.texture >= 0 || bump.texture >= 0;
+}
+
 // Stops once there are too many planes.
 void find_in_object(World& world, RenderObject& object) {
   if (object.kind != ObjectKind::WorldMesh && object.kind != ObjectKind::InstancedMesh) return;
@@ -133,6 +139,7 @@ void find_in_object(World& world, RenderObject& object) {
   for (std::size_t i = 0; i < mesh.triangle_cache.size() && world.mirror_planes.size() <= kMostPlanes; ++i) {
     const int material = nth(object.material_of, mesh.triangle_cache[i].material);
     if (!std::holds_alternative<MirrorMaterial>(nth(world.materials, material).model)) continue;
+    if (turns_normals(world, material)) continue;
     const auto plane = plane_of(object, mesh.triangle_cache[i]);
     if (!plane) continue;
     object.mirror_planes.resize(mesh.triangle_cache.size(), -1);

@@ -6,6 +6,7 @@
 #include "tracer/sampling/warps.h"
 #include "tracer/shapes/solid_hit.h"
 #include "tracer/world/moving_surface.h"
+#include "tracer/world/surface_detail.h"
 
 #include <algorithm>
 
@@ -184,6 +185,7 @@ float faulty_position_error(const SurfacePoint& point) {
 
 SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit) {
   auto point = surface_point_as_is(world, ray, hit);
+  if (!world.normal_details.empty()) turn_normal(world, hit, point);
   point.position_error = faulty_position_error(point);
   return point;
 }

@@ -2,6 +2,7 @@
 
 #include "scene/effects/effects.h"
 #include "tracer/accel/accel.h"
+#include "tracer/accel/openings.h"
 #include "tracer/bsdf/materials.h"
 #include "tracer/colour/colour.h"
 #include "tracer/geometry/mirror_plane.h"
@@ -22,6 +23,25 @@
 
 namespace orbs::tracer {
 
+/// A normal map as it is looked up.
+struct NormalTexture {
+  int texture = -1;  // index into World::textures; -1: none
+  UvMap uv{};
+  float strength = 1;
+};
+
+/// A bump map, likewise: metres above the surface where its red is 1.
+struct BumpTexture {
+  int texture = -1;
+  UvMap uv{};
+  float height_m = 0;
+};
+
+struct NormalDetail {
+  NormalTexture normal{};
+  BumpTexture bump{};
+};
+
 /// The scene as the path loop reads it: single precision, world space, names and defaults resolved.
 /// build_world.h makes it.
 struct World {
@@ -37,6 +57,8 @@ struct World {
   std::vector<spectra::Spectrum> spectra;  // of colours and lights, scales applied; empty for RGB
   std::vector<TexelGrid> textures;
   std::vector<SurfaceMaterial> materials;
+  std::vector<MaterialOpacity> opacities;    // of the materials; empty: all that is shown is opaque
+  std::vector<NormalDetail> normal_details;  // likewise; empty: no normal is turned
   std::vector<TriangleMesh> meshes;
   std::vector<SphereSurface> spheres;
   std::vector<Solid> solids;
