@@ -27,6 +27,7 @@ from mathutils import Matrix, Vector
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import cycles_devices  # noqa: E402
+import cycles_environment  # noqa: E402
 import cycles_ies  # noqa: E402
 import cycles_lights  # noqa: E402
 import cycles_materials  # noqa: E402
@@ -123,7 +124,7 @@ def build(scene, folder, scale_option):
     around = cycles_materials.Surroundings(textures, scales_radiance, scale)
     materials = {name: make_material(m, around) for name, m in descriptions.items()}
     add_camera(scene["camera"], scale, farthest_distance(scene["camera"]["position"], boxes))
-    add_environment(scene.get("environment", [0, 0, 0]))
+    cycles_environment.add_environment(checked_environment(scene.get("environment", [0, 0, 0])), textures)
     add_instances(meshes, instances, materials, scale, moved, shutter)
     for index, light in enumerate(lights):
         add_light(light, f"light {index}", folder, scale)
@@ -154,6 +155,12 @@ def checked_use(given, place):
     use = {"name": given} if isinstance(given, str) else given
     checked(use, place, ["name"], ["matrix"])
     return {"matrix": IDENTITY, **use}
+
+
+def checked_environment(environment):
+    if isinstance(environment, list):
+        return {"radiance": environment}
+    return checked(environment, "environment", ["radiance"], ["map", "matrix", "visible_to_camera"])
 
 
 def load_texture(texture):
@@ -417,16 +424,6 @@ def open_shutter(action):
     render.use_motion_blur, render.motion_blur_shutter = True, 1.0
     bpy.context.scene.cycles.motion_blur_position = "START"
     bpy.context.scene.frame_set(FRAME)
-
-
-def add_environment(radiance):
-    world = bpy.data.worlds.new("environment")
-    bpy.context.scene.world = world
-    world.use_nodes = True
-    background = world.node_tree.nodes["Background"]
-    background.inputs["Color"].default_value = (*radiance, 1.0)
-    background.inputs["Strength"].default_value = 1.0
-    world.cycles.sampling_method = "NONE"  # BSDF sampling is best for a constant.
 
 
 def add_instances(meshes, instances, materials, scale, moved, shutter):

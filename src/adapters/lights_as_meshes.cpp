@@ -136,7 +136,7 @@ void replace_lights(scene::Scene& scene) {
 }
 
 void replace_environment(scene::Scene& scene) {
-  if (scene.environment == scene::RgbColour{}) return;
+  if (scene.environment.radiance == scene::RgbColour{}) return;
   const Vec3d eye = scene.camera.position_m;
   const auto drawn = rough_bounds(scene);
   const auto bounds = drawn ? joined(*drawn, {eye, eye}) : scene::WorldBounds{eye, eye};
@@ -145,11 +145,12 @@ void replace_environment(scene::Scene& scene) {
   scene::Mesh box = scene::make_cube({1});
   box.name = "environment";
   const int shining = add_material(
-      scene, {"environment", scene::Emission{scene.environment, std::nullopt, scene.environment_spectrum}});
+      scene,
+      {"environment", scene::Emission{scene.environment.radiance, std::nullopt, scene.environment.spectrum}});
   add_instance(scene, std::move(box), shining,
                translation((bounds.low + bounds.high) * 0.5) * scaling({half, half, half}));
-  scene.environment = {};
-  scene.environment_spectrum.reset();
+  scene.environment.radiance = {};
+  scene.environment.spectrum.reset();
 }
 
 }  // namespace

@@ -74,6 +74,23 @@ Rgb albedo_ball(const registry::AlbedoBall& ball, const AlbedoTable& albedo, con
   return grey(aside < 1 ? albedo.at(std::asin(aside)) : 1);
 }
 
+Rgb sky_ball(const registry::SkyBall& ball, const Ray& ray) {
+  const auto from_centre = ray.origin - ball.centre;
+  const double along = dot(from_centre, ray.direction);
+  const double root = along * along - dot(from_centre, from_centre) + ball.radius_m * ball.radius_m;
+  const bool is_met = root > 0;
+  if (!is_met && !ball.shows_sky) return {};
+  const auto normal =
+      (from_centre + ray.direction * (-along - std::sqrt(std::max(root, 0.0)))) / ball.radius_m;
+  Rgb out{};
+  for (std::size_t c = 0; c < out.size(); ++c) {
+    const auto& gradient = ball.gradients.at(c);
+    out.at(c) = is_met ? ball.reflectance * (ball.constant.at(c) + 2. / 3 * dot(gradient, normal))
+                       : ball.constant.at(c) + dot(gradient, ray.direction);
+  }
+  return out;
+}
+
 // Unfolded, the ray goes straight on and crosses a mirror at each odd multiple of the half width.
 double mirror_corridor(const registry::MirrorCorridor& corridor, const Ray& ray) {
   const double distance = (corridor.floor_m - ray.origin.y) / ray.direction.y;
@@ -94,6 +111,9 @@ struct RadianceOf {
   }
   RadianceAlong operator()(const registry::AlbedoBall& image) const {
     return [image, albedo = AlbedoTable(image)](const Ray& ray) { return albedo_ball(image, albedo, ray); };
+  }
+  RadianceAlong operator()(const registry::SkyBall& image) const {
+    return [image](const Ray& ray) { return sky_ball(image, ray); };
   }
   RadianceAlong operator()(const registry::MirrorCorridor& image) const {
     return [image](const Ray& ray) { return grey(mirror_corridor(image, ray)); };

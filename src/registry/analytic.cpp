@@ -201,6 +201,21 @@ AlbedoBall load_albedo_ball(ObjectReader& in) {
   return {centre, radius_m, in.number("reflectance", {0, 1}), load_ball_brdf(in)};
 }
 
+SkyBall load_sky_ball(ObjectReader& in) {
+  SkyBall image{in.vec3("centre"), in.number("radius", json::kPositive), in.number("reflectance", {0, 1}),
+                three_numbers(in, "constant", json::kNotNegative)};
+  const auto rows = in.number_rows("gradients", 3);
+  if (rows.size() != 3) in.fail("gradients", "needs one for each of the three channels");
+  for (std::size_t c = 0; c < 3; ++c) {
+    image.gradients.at(c) = {rows[c][0], rows[c][1], rows[c][2]};
+    if (length(image.gradients.at(c)) > image.constant.at(c))
+      in.fail_at("gradients", c,
+                 "is longer than the constant, so that some directions would shine below zero");
+  }
+  image.shows_sky = in.boolean_or("shows_sky", true);
+  return image;
+}
+
 MirrorCorridor load_mirror_corridor(ObjectReader& in) {
   return {in.number("half_width", json::kPositive), in.number("floor"), in.number("reflectance", {0, 1})};
 }
@@ -228,11 +243,12 @@ TexturedPlane load_textured_plane(ObjectReader& in) {
 
 AnalyticImage load_image(ObjectReader& in) {
   const auto formula = in.one_of("formula", {"constant", "direct_light", "fresnel_plane", "albedo_ball",
-                                             "mirror_corridor", "textured_plane"});
+                                             "sky_ball", "mirror_corridor", "textured_plane"});
   if (formula == "constant") return ConstantImage{three_numbers(in, "value", json::kNotNegative)};
   if (formula == "direct_light") return load_direct_light(in);
   if (formula == "fresnel_plane") return load_fresnel_plane(in);
   if (formula == "albedo_ball") return load_albedo_ball(in);
+  if (formula == "sky_ball") return load_sky_ball(in);
   if (formula == "textured_plane") return load_textured_plane(in);
   return load_mirror_corridor(in);
 }

@@ -119,6 +119,17 @@ struct AlbedoBall {
   BallBrdf brdf;
 };
 
+/// A single Lambertian ball, lit once by a sky whose radiance in the direction d is constant + gradient . d
+/// in each channel: it shows rho (constant + 2/3 gradient . n).
+struct SkyBall {
+  Vec3d centre;
+  double radius_m = 1;
+  double reflectance = 1;
+  std::array<double, 3> constant{};
+  std::array<Vec3d, 3> gradients{};  // of red, green and blue
+  bool shows_sky = true;             // beside the ball; else that is black
+};
+
 /// Mirrors at x = -half_width and x = half_width, a plane of radiance 1 at y = floor below the camera.
 struct MirrorCorridor {
   double half_width_m = 1;
@@ -142,8 +153,8 @@ struct TexturedPlane {
   double radiance = 1;
 };
 
-using AnalyticImage =
-    std::variant<ConstantImage, DirectLight, FresnelPlane, AlbedoBall, MirrorCorridor, TexturedPlane>;
+using AnalyticImage = std::
+    variant<ConstantImage, DirectLight, FresnelPlane, AlbedoBall, SkyBall, MirrorCorridor, TexturedPlane>;
 
 /// A reference that follows from a formula.
 struct AnalyticReference {

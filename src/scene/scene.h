@@ -4,6 +4,7 @@
 #include "base/nth.h"
 #include "base/vec.h"
 #include "scene/colour.h"
+#include "scene/environment.h"
 #include "scene/geometry/mesh.h"
 #include "scene/integrator.h"
 #include "scene/lights/light.h"
@@ -109,8 +110,7 @@ struct ReadNotes {
 struct Scene {
   std::string name;
   Camera camera;
-  RgbColour environment;  // constant radiance of rays that meet no surface
-  std::optional<SpectrumUse> environment_spectrum;
+  Environment environment;
   SpectrumList spectra;
   std::vector<Texture> textures;
   std::vector<Material> materials;

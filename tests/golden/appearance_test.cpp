@@ -92,8 +92,8 @@ TEST_P(Spectral, ReflectancesAndTheLightOfTheColourCheckerReadBack) {
 
 TEST_P(Spectral, ALampGivesTheSpectrumThatItsColourMeans) {
   scene::Scene scene = appearance_scene("e2_spectral_accuracy/macbeth_chart_D50");
-  scene.environment = {};
-  scene.environment_spectrum.reset();
+  scene.environment.radiance = {};
+  scene.environment.spectrum.reset();
   scene.lights = {{"white", scene::RectShape{1, 1}, {3, 3, 3}, {}, {}},
                   {"green", scene::RectShape{1, 1}, {0.2, 1, 0.1}, {}, {}}};
   const auto read = exported(GetParam(), scene).read;

@@ -101,7 +101,8 @@ void expect_same_camera(const scene::Scene& scene, const tests::ReadScene& read)
   EXPECT_EQ(read.width_px, scene.camera.width_px);
   EXPECT_EQ(read.height_px, scene.camera.height_px);
   EXPECT_EQ(read.trace_depth, scene.trace_depth);
-  expect_near(read.environment, scene.environment, 1e-6 * length(scene.environment), "environment");
+  expect_near(read.environment, scene.environment.radiance, 1e-6 * length(scene.environment.radiance),
+              "environment");
 }
 
 double area_m2(const scene::Light& light) {

@@ -418,14 +418,14 @@ TEST(LightsAsMeshes, ACasingClosesTheBackOfFlatLights) {
 
 TEST(LightsAsMeshes, AnEnvironmentIsABoxAroundAllThatIsDrawn) {
   scene::Scene scene = cubes({"m", scene::Lambert{}}, {translation({50, 0, 0})});
-  scene.environment = {1, 2, 3};
+  scene.environment.radiance = {1, 2, 3};
   scene.lights = {{"lamp", scene::SphereShape{1}, {1, 1, 1}, translation({0, 80, 0}), {}}};
   const auto lit = adapters::lights_as_meshes(scene);
-  EXPECT_EQ(lit.environment, scene::RgbColour{});
+  EXPECT_EQ(lit.environment.radiance, scene::RgbColour{});
   const auto& box = *std::find_if(lit.instances.begin(), lit.instances.end(),
                                   [](const auto& instance) { return instance.name == "environment"; });
   const auto& model = material_at(lit, mesh_of(lit, box).triangle_materials.at(0)).model;
-  EXPECT_EQ(std::get<scene::Emission>(model).radiance, scene.environment);
+  EXPECT_EQ(std::get<scene::Emission>(model).radiance, scene.environment.radiance);
   for (const Vec3d inside : {Vec3d{0, 0, 9}, Vec3d{51, 1, 1}, Vec3d{0, 81, 0}})
     EXPECT_TRUE(adapters::encloses(mesh_of(lit, box), transform_point(inverse(box.matrix).value(), inside)));
 }

@@ -67,7 +67,7 @@ TEST(Povray, RadiosityFillsAnIntegratingSphere) {
 TEST(Povray, EnvironmentLightsThroughRadiosity) {
   auto scene = empty_scene(16, 16, 20);
   scene.trace_depth = 2;
-  scene.environment = {1, 2, 0.5};
+  scene.environment.radiance = {1, 2, 0.5};
   add_instance(scene, scene::make_sphere({.radius_m = 1, .segments = 64}),
                add_material(scene, scene::Lambert{{0.5, 0.5, 0.5}, {}}), translation({0, 0, -4}));
   const auto image = render_with_povray(scene, "environment", fine_radiosity());

@@ -71,7 +71,7 @@ scene::Scene lamp_in_mirror(scene::RgbColour reflectance) {
 scene::Scene glass_ball_in_uniform_light(int trace_depth) {
   auto scene = empty_scene(16, 16, 40);
   scene.trace_depth = trace_depth;
-  scene.environment = {1, 1, 1};
+  scene.environment.radiance = {1, 1, 1};
   add_instance(scene, scene::make_sphere({.radius_m = 1, .segments = 64}),
                add_material(scene, scene::Glass{{1, 1, 1}, 1.5}), translation({0, 0, -4}));
   return scene;

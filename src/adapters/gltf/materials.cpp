@@ -87,6 +87,8 @@ const BeyondOrbs& beyond_orbs() {
        {"C4", "glTF has perspective and orthographic cameras"},
        {"D2", "the spots of glTF fall with the square of the cosine's share, not with its smoothstep"},
        {"D4", "glTF has no light with a measured intensity distribution"},
+       {"D5", "the core of glTF has no environment"},
+       {"D6", "the core of glTF has no environment"},
        {"E1", "glTF's metals follow Schlick's formula, not n and k"},
        {"E2", "glTF has three colours"},
        {"E3", "glTF knows no polarisation"},

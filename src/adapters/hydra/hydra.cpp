@@ -1,5 +1,6 @@
 #include "adapters/hydra/hydra.h"
 
+#include "adapters/environment_image.h"
 #include "adapters/format_limits.h"
 #include "adapters/hydra/ies.h"
 #include "adapters/hydra/lights.h"
@@ -23,8 +24,9 @@ namespace orbs::adapters {
 HydraPaths hydra_paths(const scene::Scene& scene, const SceneSettings& settings) {
   const auto naive = settings.find("naive");
   if (naive != settings.end() && naive->second != 0) return {scene.trace_depth, false};
-  if (scene.trace_depth == 1) return {2, true};
-  const bool is_found_behind = scene.lights.empty() || scene.environment != scene::RgbColour{};
+  const bool samples_sun = scene.environment.map && has_sun(scene);
+  if (scene.trace_depth == 1 && !samples_sun) return {2, true};
+  const bool is_found_behind = !samples_sun && (scene.lights.empty() || shines(scene.environment));
   return {is_found_behind ? scene.trace_depth + 1 : scene.trace_depth, false};
 }
 
@@ -70,7 +72,7 @@ class Writer {
 
   // All libraries must be there, empty or not.
   std::string write(int trace_depth) {
-    const auto textures = hydra::write_textures(scene_, folder_, stem_);
+    auto textures = hydra::write_textures(scene_, folder_, stem_);
     std::string materials = hydra::material_nodes(scene_, textures);
     const auto light_count = static_cast<int>(scene_.lights.size());
     const auto material_count = static_cast<int>(scene_.materials.size());
@@ -81,8 +83,8 @@ class Writer {
       materials += hydra::light_material_node(nth(scene_.lights, i), material_count + i, i);
       add_light(nth(scene_.lights, i), i, material_count + i);
     }
-    if (scene_.environment != scene::RgbColour{}) {
-      lights_ += hydra::sky_node(scene_.environment, light_count);
+    if (shines(scene_.environment)) {
+      lights_ += sky_text(textures, light_count);
       add_light_instance(light_count, Mat4{});
     }
     const std::string scene_node =
@@ -96,6 +98,22 @@ class Writer {
   }
 
  private:
+  std::string sky_text(hydra::TextureLibrary& textures, int position) const {
+    hydra::Sky sky{.radiance = scene_.environment.radiance};
+    if (!scene_.environment.map && scene_.environment.visible_to_camera)
+      return hydra::sky_node(sky, position);
+    if (scene_.environment.map) {
+      sky.radiance = {1, 1, 1};  // it is in the image
+      sky.map = hydra::add_image(textures, hydra::sky_image(environment_in_world(scene_)), folder_,
+                                 stem_ + "-environment");
+    }
+    // HydraCore3 reads of a sky's texture at the place behind it in the library: there must be one.
+    const int black =
+        hydra::add_image(textures, image::make_image(1, 1, {"R", "G", "B"}), folder_, stem_ + "-black");
+    if (!scene_.environment.visible_to_camera) sky.back = black;
+    return hydra::sky_node(sky, position);
+  }
+
   // The position of the mesh in geometry_lib.
   int add_mesh(const scene::Mesh& mesh, int first_material) {
     const int position = mesh_count_++;
@@ -133,10 +151,10 @@ class Writer {
   }
 
   int bright_lights() const {
-    const auto shines = [](scene::RgbColour emission) { return emission != scene::RgbColour{}; };
+    const auto is_bright = [](scene::RgbColour emission) { return emission != scene::RgbColour{}; };
     const auto count = std::count_if(scene_.lights.begin(), scene_.lights.end(),
-                                     [&](const auto& light) { return shines(light.radiance); });
-    return static_cast<int>(count) + (shines(scene_.environment) ? 1 : 0);
+                                     [&](const auto& light) { return is_bright(light.radiance); });
+    return static_cast<int>(count) + (scene::shines(scene_.environment) ? 1 : 0);
   }
 
   void add_light_instance(int light, const Mat4& matrix) {

@@ -127,8 +127,28 @@ std::string light_node(const scene::Light& light,
                                                radiance_node(light.radiance, multiplier));
 }
 
-std::string sky_node(scene::RgbColour radiance, int position) {
-  return fmt::format("<light id=\"{}\" type=\"sky\">{}</light>\n", position, radiance_node(radiance, 1));
+std::string sky_node(const Sky& sky, int position) {
+  const auto texture = [](int id) {
+    return fmt::format(
+        "<texture id=\"{}\" type=\"texref\" matrix=\"1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1\" "
+        "addressing_mode_u=\"wrap\" addressing_mode_v=\"clamp\" input_gamma=\"1\"/>",
+        id);
+  };
+  const std::string back = sky.back ? fmt::format("<back>{}</back>", texture(*sky.back)) : "";
+  const std::string radiance = sky.map
+                                   ? fmt::format("<intensity><color val=\"1 1 1\">{}</color>{}</intensity>",
+                                                 texture(*sky.map), value_node("multiplier", 1))
+                                   : radiance_node(sky.radiance, 1);
+  return fmt::format("<light id=\"{}\" type=\"sky\">{}{}</light>\n", position, radiance, back);
+}
+
+image::Image sky_image(image::Image image) {
+  const image::Image given = image;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (std::size_t c = 0; c < image.channels.size(); ++c)
+        image.at(x, y, c) = given.at(image.width - 1 - x, y, c);
+  return image;
 }
 
 scene::Mesh light_mesh(const scene::Light& light) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "image/image.h"
 #include "scene/scene.h"
 
+#include <optional>
 #include <string>
 
 /// A light of HydraCore3 is three things: an entry of lights_lib, an instance of it, and a mesh of its own
@@ -20,9 +22,17 @@ std::string light_node(const scene::Light& light,
                        const std::string& ies_file,
                        int bright_lights);
 
-/// The constant environment as an entry of lights_lib, which must be the last: materials count lights without
-/// it.
-std::string sky_node(scene::RgbColour radiance, int position);
+/// An environment; images by their position in textures_lib.
+struct Sky {
+  scene::RgbColour radiance;
+  std::optional<int> map = {};
+  std::optional<int> back = {};  // what the camera sees in its place, across the image
+};
+/// The environment as an entry of lights_lib, which must be the last: materials count lights without it.
+std::string sky_node(const Sky& sky, int position);
+/// The image of an environment map in the axes of the world as HydraCore3 reads it, which shows skies
+/// mirrored from left to right, and upside down in files whose first row is at the bottom.
+image::Image sky_image(image::Image image);
 
 /// The shape of the light in the light's own frame, with normals to where it shines and the one material 0.
 scene::Mesh light_mesh(const scene::Light& light);

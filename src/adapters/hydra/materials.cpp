@@ -82,7 +82,7 @@ struct MaterialWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"C1", "D1", "D2", "D3", "D4", "N4"},
+      {"C1", "D1", "D2", "D3", "D4", "D5", "D6", "N4"},
       {{"B1", "HydraCore3's material called gltf is another model"},
        {"B7", "HydraCore3's material called gltf has a coat with reflections inside"},
        {"B8", "HydraCore3 has no Phong reflection"},

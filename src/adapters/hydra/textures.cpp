@@ -50,6 +50,11 @@ std::string image_bytes(const image::Image& image,
   return bytes;
 }
 
+TextureFile linear_file(const image::Image& linear) {
+  return {image_bytes(linear, {0, 1, 2}, [](std::string& bytes, float value) { append_bytes(bytes, value); }),
+          linear.width, linear.height, true};
+}
+
 // Eight-bit images keep their bytes, which HydraCore3 decodes by the sRGB curve itself; others become linear
 // floats, as it has no format for 16 bits. It reads the word for mirrored images and lets them repeat.
 TextureFile texture_file(const scene::Texture& texture) {
@@ -64,10 +69,22 @@ TextureFile texture_file(const scene::Texture& texture) {
                           }),
               stored.width, stored.height, false};
   }
-  const image::Image linear = with_mirror_images(
-      image::read_linear_rgb(file, is_data ? image::Encoded::Numbers : image::Encoded::Srgb), texture);
-  return {image_bytes(linear, {0, 1, 2}, [](std::string& bytes, float value) { append_bytes(bytes, value); }),
-          linear.width, linear.height, true};
+  return linear_file(with_mirror_images(
+      image::read_linear_rgb(file, is_data ? image::Encoded::Numbers : image::Encoded::Srgb), texture));
+}
+
+// It skips an entry without its sizes, and takes the size of a texel from them.
+int add_file(TextureLibrary& library,
+             const TextureFile& texture,
+             const std::filesystem::path& folder,
+             const std::string& name) {
+  constexpr std::size_t kHeader_bytes = 8;
+  const auto file = fmt::format("{}.{}", name, texture.is_linear ? "image4f" : "image4ub");
+  write_file(folder / file, texture.bytes);
+  library.text += fmt::format("<texture id=\"{}\" loc=\"{}\" width=\"{}\" height=\"{}\" bytesize=\"{}\"/>\n",
+                              library.count, file, texture.width_px, texture.height_px,
+                              texture.bytes.size() - kHeader_bytes);
+  return library.count++;
 }
 
 const char* wrap_word(scene::Wrap wrap) { return wrap == scene::Wrap::Clamp ? "clamp" : "wrap"; }
@@ -82,23 +99,21 @@ TextureLibrary write_textures(const scene::Scene& scene,
     const auto& use = scene::texture_of(material_at(scene, material).model);
     if (!use || library.entries.contains(use->texture)) continue;
     const scene::Texture& texture = texture_at(scene, *use);
-    const int id = static_cast<int>(library.entries.size());
     with_note(fmt::format("writing texture '{}' for HydraCore3", texture.name), [&] {
       const TextureFile written = texture_file(texture);
-      const auto name = fmt::format("{}-texture{}.{}", stem, id, written.is_linear ? "image4f" : "image4ub");
-      write_file(folder / name, written.bytes);
-      constexpr std::size_t kHeader_bytes = 8;
-      // It skips an entry without its sizes, and takes the size of a texel from them.
-      library.text +=
-          xml_comment(texture.name) + fmt::format(
-                                          "<texture id=\"{}\" loc=\"{}\" width=\"{}\" height=\"{}\" "
-                                          "bytesize=\"{}\"/>\n",
-                                          id, name, written.width_px, written.height_px,
-                                          written.bytes.size() - kHeader_bytes);
+      library.text += xml_comment(texture.name);
+      const int id = add_file(library, written, folder, fmt::format("{}-texture{}", stem, library.count));
       library.entries.emplace(use->texture, TextureEntry{id, written.is_linear});
     });
   }
   return library;
+}
+
+int add_image(TextureLibrary& library,
+              const image::Image& image,
+              const std::filesystem::path& folder,
+              const std::string& name) {
+  return add_file(library, linear_file(image), folder, name);
 }
 
 std::string texture_node(const scene::Scene& scene,

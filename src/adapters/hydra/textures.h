@@ -1,5 +1,6 @@
 #pragma once
 
+#include "image/image.h"
 #include "scene/scene.h"
 
 #include <filesystem>
@@ -20,6 +21,7 @@ struct TextureEntry {
 struct TextureLibrary {
   std::string text;
   std::map<int, TextureEntry> entries;
+  int count = 0;
 };
 
 /// Writes the textures of the visible materials beside a scene file of this stem. InputError when a file
@@ -27,6 +29,12 @@ struct TextureLibrary {
 TextureLibrary write_textures(const scene::Scene& scene,
                               const std::filesystem::path& folder,
                               const std::string& stem);
+
+/// Writes an image of linear colours as a further texture; returns its position in the library.
+int add_image(TextureLibrary& library,
+              const image::Image& image,
+              const std::filesystem::path& folder,
+              const std::string& name);
 
 /// The child of a colour that is multiplied by the texture.
 std::string texture_node(const scene::Scene& scene,

@@ -76,6 +76,23 @@ std::string area_emitter(const Colours& colours,
   return fmt::format("<emitter type=\"area\">{}</emitter>", colours.radiance(radiance, spectrum));
 }
 
+image::Image rows_on_poles(const image::Image& image) {
+  auto out = image::make_image(image.width, 2 * image.height + 1, image.channels);
+  for (int y = 0; y < out.height; ++y) {
+    const int above = std::max((y - 1) / 2, 0);
+    const int below = std::min(y / 2, image.height - 1);
+    for (int x = 0; x < image.width; ++x)
+      for (std::size_t c = 0; c < image.channels.size(); ++c)
+        out.at(x, y, c) = (image.at(x, above, c) + image.at(x, below, c)) / 2;
+  }
+  return out;
+}
+
+std::string environment_map(const std::string& file, const Mat4& matrix) {
+  return fmt::format("<emitter type=\"envmap\"><string name=\"filename\" value=\"{}\"/>{}</emitter>\n", file,
+                     to_world(matrix * rotation_y(180)));
+}
+
 std::string light_limit(const scene::Light& light, const std::string& display_name) {
   if (auto reason = limit_of_shape<ShapeWriter>(light, display_name, kName); !reason.empty()) return reason;
   if (const auto* spot = std::get_if<scene::SpotShape>(&light.shape))

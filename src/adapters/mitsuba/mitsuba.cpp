@@ -1,5 +1,6 @@
 #include "adapters/mitsuba/mitsuba.h"
 
+#include "adapters/environment_image.h"
 #include "adapters/format_limits.h"
 #include "adapters/material_meshes.h"
 #include "adapters/mitsuba/lights.h"
@@ -11,6 +12,7 @@
 #include "adapters/xml_comment.h"
 #include "base/files.h"
 #include "base/nth.h"
+#include "image/image_io.h"
 #include "scene/camera_frame.h"
 #include "scene/effects/effects.h"
 #include "scene/geometry/ply.h"
@@ -154,7 +156,9 @@ std::string block_size_text(const scene::Camera& camera) {
 
 // The layers are named S0.R to S3.B, as ours.
 std::string integrator_text(const scene::Scene& scene) {
-  const std::string blocks = block_size_text(scene.camera);
+  const std::string hides = "<boolean name=\"hide_emitters\" value=\"true\"/>";
+  const std::string blocks =
+      block_size_text(scene.camera) + (scene.environment.visible_to_camera ? "" : hides);
   if (!scene.outputs.stokes) return path_text(scene, blocks);
   return fmt::format("<integrator type=\"stokes\">{}{}</integrator>\n", path_text(scene, ""), blocks);
 }
@@ -179,9 +183,11 @@ class Writer {
     std::string text = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<scene version=\"3.0.0\">\n";
     text += "<default name=\"spp\" value=\"64\"/>\n<default name=\"seed\" value=\"0\"/>\n";
     text += integrator_text(scene_) + sensor_text(scene_.camera, clip_distances(scene_, meshes_));
-    if (scene_.environment != scene::RgbColour{})
+    if (scene_.environment.map)
+      text += environment_map_text();
+    else if (shines(scene_.environment))
       text += fmt::format("<emitter type=\"constant\">{}</emitter>\n",
-                          colours_.radiance(scene_.environment, scene_.environment_spectrum));
+                          colours_.radiance(scene_.environment.radiance, scene_.environment.spectrum));
     for (const int material : scene::visible_materials(scene_)) text += material_text(material);
     for (std::size_t i = 0; i < meshes_.size(); ++i) text += mesh_text(meshes_[i], i);
     for (const scene::Light& light : scene_.lights) text += mitsuba::light_text(colours_, light);
@@ -189,6 +195,13 @@ class Writer {
   }
 
  private:
+  std::string environment_map_text() const {
+    const auto name = fmt::format("{}-environment.exr", stem_);
+    const TurnedEnvironment map = turned_environment(scene_);
+    image::write_exr(mitsuba::rows_on_poles(map.image), folder_ / name);
+    return mitsuba::environment_map(name, map.matrix);
+  }
+
   std::string material_text(int index) {
     if (scene::texture_of(material_at(scene_, index).model))
       write_tinted(scene_, index, folder_ / tinted_image_name(index, stem_));
@@ -278,6 +291,19 @@ std::string back_limit(const scene::Scene& scene, const MaterialMesh& shown) {
                      shown.mesh.name);
 }
 
+// It hides all of them from the camera, and nothing from mirrors.
+std::string hidden_limit(const scene::Scene& scene) {
+  if (scene.environment.visible_to_camera) return "";
+  const auto emits = [&](int material) {
+    return std::holds_alternative<scene::Emission>(material_at(scene, material).model);
+  };
+  const auto shown = scene::visible_materials(scene);
+  const bool has_more = std::any_of(shown.begin(), shown.end(), emits) ||
+                        std::any_of(scene.lights.begin(), scene.lights.end(),
+                                    [](const auto& light) { return has_area(light.shape); });
+  return has_more ? "the camera does not see the environment: Mitsuba hides all emitters, or none" : "";
+}
+
 std::string camera_limit(const scene::Camera& camera) {
   if (scene::has_lens(camera) && scene::is_shifted(camera))
     return "the camera has a lens that is shifted: Mitsuba's lenses are centred";
@@ -318,6 +344,7 @@ std::vector<std::string> mitsuba_limits(const scene::Scene& scene) {
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     note(mitsuba::light_limit(scene.lights[i], scene::display_name("light", scene.lights[i].name, i)));
   for (const MaterialMesh& shown : material_meshes(scene)) note(back_limit(scene, shown));
+  note(hidden_limit(scene));
   note(camera_limit(scene.camera));
   note(stokes_limit(scene));
   return reasons;

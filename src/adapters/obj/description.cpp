@@ -40,6 +40,12 @@ constexpr const char* kLatitudeLongitudeWords =
 constexpr const char* kTraceDepthWords =
     "a light path has at most so many surfaces at which it is reflected or refracted, between the lamp and the "
     "camera; 1 is direct light. Mirrors and glass count. What emits is no such surface";
+constexpr const char* kBackgroundWords =
+    "radiance of rays that meet no surface, in every direction; it lights the scene";
+constexpr const char* kMapWords =
+    "radiance of rays that meet no surface, times the image at u = 1/2 + atan2(x, -z) / (2 pi), v = 1/2 + "
+    "asin(y) / pi of the direction (x, y, z) = inverse of the matrix times the ray's; u wraps, v is clamped to "
+    "the centres of the outermost rows. It lights the scene";
 constexpr const char* kTextureWords =
     "its texels multiply the colour. 8-bit files hold sRGB values: each texel is decoded first, then filtered "
     "bilinearly, without mip maps. The bottom row of the image has v = 0";
@@ -129,9 +135,18 @@ void write_settings(json::Writer& out, const scene::Scene& scene) {
   else
     out.value(scene.trace_depth);
   out.member("trace_depth_in_words", kTraceDepthWords);
+}
+
+void write_background(json::Writer& out, const scene::Scene& scene, const std::string& stem) {
+  const auto& environment = scene.environment;
   out.key("background").begin_object();
-  out.member("in_words", "radiance of rays that meet no surface, in every direction; it lights the scene");
-  out.member("radiance", scene.environment).end_object();
+  out.member("in_words", environment.map ? kMapWords : kBackgroundWords);
+  out.member("radiance", environment.radiance);
+  if (environment.map) {
+    out.member("map", texture_file(scene, environment.map->texture, stem));
+    out.key("matrix").numbers(environment.map->matrix.m);
+  }
+  out.member("seen_by_camera", environment.visible_to_camera).end_object();
 }
 
 void write_texture(json::Writer& out,
@@ -185,6 +200,7 @@ void copy_files(const scene::Scene& scene, const std::string& stem, const std::f
   std::set<int> textures;
   for (const int index : scene::visible_materials(scene))
     for (const scene::TextureUse& use : texture_uses(material_at(scene, index))) textures.insert(use.texture);
+  if (scene.environment.map) textures.insert(scene.environment.map->texture);
   for (const int index : textures)
     write_file(folder / texture_file(scene, index, stem), read_file(nth(scene.textures, index).file));
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
@@ -203,6 +219,7 @@ void write_description(const scene::Scene& scene,
   out.member("in_words", kConventions);
   write_camera(out, scene.camera);
   write_settings(out, scene);
+  write_background(out, scene, stem);
   out.key("lamps").begin_array();
   for (std::size_t i = 0; i < scene.lights.size(); ++i) write_lamp(out, scene.lights[i], i, stem);
   out.end_array();

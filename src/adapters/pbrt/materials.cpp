@@ -159,6 +159,8 @@ const BeyondOrbs& beyond_orbs() {
       {{"B1", "pbrt's metals follow n and k, not Schlick's formula"},
        {"B7", "pbrt has no material of metallic and roughness"},
        {"B8", "pbrt has no Phong reflection"},
+       {"D5", "pbrt makes spectra of the colours of a sky by a model of its own"},
+       {"D6", "pbrt's camera sees all that shines"},
        {"E3", "pbrt carries no polarisation"},
        {"E4", "pbrt has no fluorescence"},
        {"E5", "pbrt has no thin films"},

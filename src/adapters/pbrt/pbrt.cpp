@@ -135,9 +135,9 @@ class Writer {
   std::string write() {
     const auto meshes = material_meshes(scene_);
     std::string text = frame_text(scene_, meshes) + head_text(scene_, colours_.is_spectral);
-    if (scene_.environment != scene::RgbColour{})
+    if (scene_.environment.radiance != scene::RgbColour{})
       text += fmt::format("LightSource \"infinite\" {}\n",
-                          colours_.radiance(scene_.environment, scene_.environment_spectrum));
+                          colours_.radiance(scene_.environment.radiance, scene_.environment.spectrum));
     for (const int index : scene::visible_materials(scene_)) {
       if (scene::texture_of(material_at(scene_, index).model))
         write_tinted_channels(scene_, index, folder_, stem_);

@@ -1,5 +1,6 @@
 #include "adapters/povray/lights.h"
 
+#include "adapters/environment_image.h"
 #include "adapters/kind_support.h"
 #include "adapters/light_frame.h"
 #include "adapters/povray/sdl.h"
@@ -245,6 +246,33 @@ struct LightWriter {
 
 std::string light_text(const scene::Scene& scene, const scene::Light& light, const PovraySettings& settings) {
   return text_of_shape(light, kName, LightWriter{scene, light, settings});
+}
+
+std::string environment_file(const std::string& stem) { return stem + "-environment.exr"; }
+
+std::string environment_text(const scene::Scene& scene, const std::string& stem) {
+  const scene::Environment& environment = scene.environment;
+  std::string pigment = fmt::format("pigment {{ {} }}", colour(environment.radiance));
+  if (environment.map) {
+    // The middle of POV-Ray's image lies towards -X and its right quarter towards +Z.
+    const Mat4 turned = turned_environment(scene).matrix * rotation_y(-90);
+    pigment = fmt::format("pigment {{ image_map {{ exr \"{}\" map_type 1 interpolate 2 }} {} }}",
+                          environment_file(stem), matrix(turned));
+  }
+  if (environment.visible_to_camera)
+    return environment.map ? fmt::format("sky_sphere {{ {} }}\n", pigment)
+                           : fmt::format("background {{ {} }}\n", colour(environment.radiance));
+  // From no place of the scene are the directions more than 1e-4 off; POV-Ray meets nothing beyond 1e7.
+  constexpr double kFar = 1e4;
+  constexpr double kFarthest = 5e6;
+  const auto drawn = scene::rough_bounds(scene);
+  const Vec3d eye = scene.camera.position_m;
+  const auto bounds = drawn ? joined(*drawn, {eye, eye}) : scene::WorldBounds{eye, eye};
+  const double radius = std::min(kFar * std::max(radius_of(bounds), 1.0), kFarthest);
+  return fmt::format(
+      "sphere {{ <0,0,0>, 1 hollow no_image no_shadow\n"
+      "  texture {{ {} finish {{ emission 1 diffuse 0 }} }} scale {} }}\n",
+      pigment, radius);
 }
 
 std::string light_limit(const scene::Light& light, const std::string& display_name) {

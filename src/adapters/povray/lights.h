@@ -12,6 +12,11 @@ namespace orbs::adapters::povray {
 /// obstacle to all rays.
 std::string light_text(const scene::Scene& scene, const scene::Light& light, const PovraySettings& settings);
 
+/// What rays see that meet nothing: a colour, or the image that environment_file names. A sphere that the
+/// camera does not see where it is to be black.
+std::string environment_text(const scene::Scene& scene, const std::string& stem);
+std::string environment_file(const std::string& stem);
+
 /// Why the light cannot be written, "" when it can.
 std::string light_limit(const scene::Light& light, const std::string& display_name);
 

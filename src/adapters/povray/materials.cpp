@@ -194,7 +194,7 @@ std::string texture_copy(const scene::Scene& scene, int index, const std::string
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"C1", "C2", "C3", "C4", "D1", "D2", "D3", "E6", "N3", "N4", "N5", "S1", "S2", "S3", "S4"},
+      {"C1", "C2", "C3", "C4", "D1", "D2", "D3", "D5", "D6", "E6", "N3", "N4", "N5", "S1", "S2", "S3", "S4"},
       {{"B1", "POV-Ray has glossy highlights of light sources, no glossy reflection"},
        {"B7", "POV-Ray has no microfacets"},
        {"B8", "POV-Ray's phong is a highlight of light sources alone, without the cosine"},

@@ -1,5 +1,6 @@
 #include "adapters/povray/povray.h"
 
+#include "adapters/environment_image.h"
 #include "adapters/exporter.h"
 #include "adapters/format_limits.h"
 #include "adapters/mirrored_image.h"
@@ -200,8 +201,8 @@ Text scene_text(const scene::Scene& scene, const PovraySettings& settings, const
       objects += object_text(scene, instance, mesh, settings);
   }
   for (const scene::Shape& shape : all_shapes(scene)) objects += shape_text(scene, shape, settings);
-  text.scene = settings_text(scene, settings) + camera_text(scene.camera) +
-               fmt::format("background {{ {} }}\n", colour(scene.environment));
+  text.scene =
+      settings_text(scene, settings) + camera_text(scene.camera) + povray::environment_text(scene, stem);
   for (const int index : scene::visible_materials(scene)) {
     const scene::Material& material = material_at(scene, index);
     text.scene += fmt::format("// material {}\n", comment_text(material.name)) +
@@ -264,6 +265,8 @@ void write_povray(const scene::Scene& given,
   }
   for (const int index : scene::visible_materials(scene))
     if (material_at(scene, index).detail.opacity_texture) write_opacity(scene, index, folder, stem);
+  if (scene.environment.map)
+    image::write_exr(turned_environment(scene).image, folder / povray::environment_file(stem));
   if (!text.meshes.text.empty()) write_file(folder / (stem + "-meshes.inc"), text.meshes.text);
   write_file(file, text.scene);
 }
@@ -333,6 +336,10 @@ std::vector<std::string> povray_limits(const scene::Scene& scene, const PovraySe
       note("a sphere by its formula has a texture: POV-Ray's shapes have different texture coordinates");
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     note(povray::light_limit(scene.lights[i], scene::display_name("light", scene.lights[i].name, i)));
+  if (scene.environment.map && has_sun(scene))
+    note(
+        "the environment has a sun: POV-Ray's radiosity looks in directions that do not follow the sky's "
+        "brightness");
   if (settings.photons == 0 && needs_caustics(scene, materials))
     note(
         "a mirror or glass throws light on diffuse surfaces, which takes photons, and they are switched off");

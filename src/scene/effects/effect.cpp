@@ -38,6 +38,8 @@ std::string_view effect_name(Effect effect) {
       return "opacity";
     case Effect::TurnedNormals:
       return "turned normals";
+    case Effect::EnvironmentMap:
+      return "environment map";
   }
   return "";
 }

@@ -24,6 +24,7 @@ enum class Effect {
   LightWithoutArea,  // a point, a spot, a direction
   Opacity,           // surfaces that let a share of the rays pass
   TurnedNormals,     // normals by a texture
+  EnvironmentMap,    // an image that shines from infinitely far away
 };
 
 /// The word for it, as messages and files write it: "thin film".

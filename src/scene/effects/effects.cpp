@@ -88,8 +88,12 @@ void add_lights(const Scene& scene, bool has_colour, SceneEffects& found) {
     if (light.reflectance != RgbColour{})
       note(found, {Effect::ReflectingLight, true, "reflects light as well as emitting it"}, name);
   }
-  if (scene.environment_spectrum)
-    note(found, verdict_on_light(scene, *scene.environment_spectrum, has_colour), "the environment");
+  if (scene.environment.map)
+    note(found,
+         {Effect::EnvironmentMap, true, "is an image, which light sampling searches for its bright parts"},
+         "the environment");
+  if (scene.environment.spectrum)
+    note(found, verdict_on_light(scene, *scene.environment.spectrum, has_colour), "the environment");
 }
 
 void add_emissive_materials(const Scene& scene, bool has_colour, SceneEffects& found) {
@@ -205,6 +209,7 @@ LightTransport transport_for(Effect effect) {
     case Effect::LightWithoutArea:
     case Effect::Opacity:
     case Effect::TurnedNormals:
+    case Effect::EnvironmentMap:
       return LightTransport::Rgb;
   }
   return LightTransport::Rgb;

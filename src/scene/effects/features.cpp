@@ -45,6 +45,7 @@ const char* level_for(Effect effect) {
     case Effect::LightWithoutArea:
     case Effect::Opacity:
     case Effect::TurnedNormals:
+    case Effect::EnvironmentMap:
       return "";
   }
   return "";
@@ -153,6 +154,14 @@ std::vector<CalledFeature> features_of_lights(const Scene& scene) {
   return features;
 }
 
+std::vector<CalledFeature> features_of_environment(const Scene& scene) {
+  std::vector<CalledFeature> features;
+  if (scene.environment.map) features.push_back({"D5", "the environment is an image"});
+  if (!scene.environment.visible_to_camera)
+    features.push_back({"D6", "the camera does not see the environment"});
+  return features;
+}
+
 std::vector<CalledFeature> features_of_effects(const Scene& scene) {
   std::vector<CalledFeature> features;
   for (const auto& finding : effects(scene).called_for)
@@ -199,8 +208,8 @@ std::vector<CalledFeature> features_called_for(const Scene& scene) {
   std::map<std::string, std::string> found;
   for (const auto& features :
        {features_of_geometry(scene), features_of_materials(scene), features_of_lights(scene),
-        features_of_effects(scene), features_of_motion(scene), features_of_camera(scene),
-        features_of_integrator(scene)})
+        features_of_environment(scene), features_of_effects(scene), features_of_motion(scene),
+        features_of_camera(scene), features_of_integrator(scene)})
     for (const auto& feature : features) found.try_emplace(feature.requirement, feature.what);
   std::vector<CalledFeature> out;
   for (const auto& [requirement, what] : found) out.push_back({requirement, what});

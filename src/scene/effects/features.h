@@ -23,7 +23,8 @@ struct CalledFeature {
 /// S7 shapes of plug-ins; T1 instances that move, T2 meshes that change their shape, T3 a camera that moves;
 /// I1 ambient occlusion, I2 irradiance caches; N1 normal maps, N2 bump maps, N3 surfaces that let rays pass,
 /// N4 mirrored textures, N5 textures that are not interpolated; C1 a lens, C2 an orthographic camera, C3 a
-/// shifted lens, C4 a latitude-longitude image.
+/// shifted lens, C4 a latitude-longitude image; D5 an environment map, D6 an
+/// environment that the camera does not see.
 std::vector<CalledFeature> features_called_for(const Scene& scene);
 
 /// The parts of features_called_for; one object may call for several requirements, and one requirement may be
@@ -35,6 +36,7 @@ std::vector<CalledFeature> features_of_shapes(const Scene& scene);
 std::vector<CalledFeature> features_of_subdivision(const Scene& scene);
 std::vector<CalledFeature> features_of_materials(const Scene& scene);
 std::vector<CalledFeature> features_of_lights(const Scene& scene);
+std::vector<CalledFeature> features_of_environment(const Scene& scene);
 std::vector<CalledFeature> features_of_motion(const Scene& scene);
 std::vector<CalledFeature> features_of_camera(const Scene& scene);
 std::vector<CalledFeature> features_of_integrator(const Scene& scene);

@@ -149,13 +149,6 @@ void check_irradiance_cache(const Scene& scene, const json::ObjectReader& in) {
                                       transport_name(needed), reason_for(found)));
 }
 
-void load_environment(json::ObjectReader& in, const SpectralData& data, Scene& scene) {
-  if (!in.has("environment")) return;
-  const auto radiance = load_radiance(in, "environment", data);
-  scene.environment = radiance.rgb;
-  scene.environment_spectrum = radiance.spectrum;
-}
-
 // A sphere without a matrix is kept as one.
 void add_shape(json::ObjectReader& in, const Names& materials, Scene& scene) {
   const bool has_matrix = in.has("matrix");
@@ -192,13 +185,13 @@ Scene load_document(const json::Document& document,
   scene.camera = load_cameras(in, camera);
   SpectralData data{.folders = folders};
   for (auto& entry : in.objects_or_none("spectra")) load_spectrum(entry, data);
-  load_environment(in, data, scene);
   Names textures("texture");
   auto texture_readers = in.objects_or_none("textures");
   for (auto& entry : texture_readers) {
     textures.add(entry, "name");
     scene.textures.push_back(load_texture(entry, folders));
   }
+  scene.environment = load_environment(in, textures, data);
   Names materials("material");
   auto material_readers = in.objects("materials");
   for (auto& entry : material_readers) {

@@ -158,7 +158,7 @@ void write_scene(const Scene& scene, const std::filesystem::path& file) {
   out.begin_object().member("format", "orbs-scene/1").member("name", scene.name);
   write_camera(out, scene.camera);
   write_spectra(out, scene.spectra);
-  write_colour(out, scene.spectra, "environment", scene.environment, scene.environment_spectrum);
+  write_environment(out, scene.spectra, scene.textures, scene.environment);
   write_materials(out, scene);
   out.key("meshes").begin_array();
   for (std::size_t i = 0; i < scene.meshes.size(); ++i)

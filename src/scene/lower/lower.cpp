@@ -21,7 +21,7 @@ void drop_spectra(Scene& scene) {
         },
         material.model);
   for (auto& light : scene.lights) light.spectrum.reset();
-  scene.environment_spectrum.reset();
+  scene.environment.spectrum.reset();
   scene.spectra.clear();
 }
 

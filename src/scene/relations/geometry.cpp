@@ -187,8 +187,7 @@ Scene with_windings_flipped(const Scene& scene) {
 }
 
 std::variant<Scene, std::string> with_unreachable_object(const Scene& scene) {
-  if (!(scene.environment == RgbColour{}))
-    return "its environment shines, so every place is reached by light";
+  if (shines(scene.environment)) return "its environment shines, so every place is reached by light";
   if (std::holds_alternative<LatitudeLongitude>(scene.camera.projection))
     return "its camera sees all directions";
   const auto bounds = world_bounds(scene);

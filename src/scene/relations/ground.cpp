@@ -75,7 +75,7 @@ std::variant<Scene, std::string> with_large_ground(const Scene& scene, double ra
   const auto ground = find_ground(scene);
   if (!ground) return kNoGround;
   if (!ground->others) return "it has nothing but a ground";
-  if (!(scene.environment == RgbColour{}) || scene.environment_spectrum)
+  if (shines(scene.environment) || scene.environment.spectrum)
     return "its environment shines, and a larger ground hides more of it: its edge is a horizon in view";
   Scene out = scene;
   out.trace_depth = 1;

@@ -19,7 +19,7 @@ void multiply_emission(Light& light, double factor) { multiply(light.radiance, l
 
 Scene with_emission_times(const Scene& scene, double factor) {
   Scene out = scene;
-  multiply(out.environment, out.environment_spectrum, factor);
+  multiply(out.environment.radiance, out.environment.spectrum, factor);
   for (auto& light : out.lights) multiply_emission(light, factor);
   for (auto& material : out.materials)
     if (auto* emission = std::get_if<Emission>(&material.model))
@@ -31,7 +31,8 @@ std::variant<Scene, std::string> with_rotated_channels(const Scene& scene) {
   if (!scene.spectra.empty() || transport(effects(scene)) != LightTransport::Rgb)
     return "its colours are spectra, which have no three channels to exchange";
   Scene out = scene;
-  rotate(out.environment);
+  if (scene.environment.map) return "its environment is an image, whose file keeps its channels";
+  rotate(out.environment.radiance);
   for (auto& light : out.lights) {
     rotate(light.radiance);
     rotate(light.reflectance);

@@ -44,6 +44,13 @@ Scene moved(const Scene& scene, const Mat4& motion) {
     light.matrix = motion * light.matrix;
     multiply_emission(light, std::pow(scale, power_of_scale(light.shape)));
   }
+  if (auto& map = out.environment.map) {
+    map->matrix = motion * map->matrix;
+    for (std::size_t row = 0; row < 3; ++row) {
+      for (std::size_t column = 0; column < 3; ++column) map->matrix(row, column) /= scale;
+      map->matrix(row, 3) = 0;  // infinitely far away
+    }
+  }
   for (auto& sphere : out.spheres) {
     sphere.centre_m = transform_point(motion, sphere.centre_m);
     sphere.radius_m *= scale;

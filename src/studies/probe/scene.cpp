@@ -161,7 +161,7 @@ scene::Scene make_uv_pass(const ProbeScene& probe, const std::filesystem::path& 
 scene::Scene make_reflecting_uv_pass(const ProbeScene& probe, const std::filesystem::path& ramp) {
   auto out = make_uv_pass(probe, ramp);
   for (auto& material : out.materials) material.model = scene::Lambert{{1, 1, 1}, scene::TextureUse{0, {}}};
-  out.environment = {1, 1, 1};
+  out.environment = {.radiance = {1, 1, 1}};
   return out;
 }
 

@@ -44,7 +44,7 @@ image::Image control_image(const results::RunRecord& run,
 
 std::string why_no_light_can_miss(const scene::Scene& scene) {
   if (scene.lights.empty()) return "it has no light that could be missing";
-  const bool has_more = scene.lights.size() > 1 || glows(scene) || scene.environment != scene::RgbColour{};
+  const bool has_more = scene.lights.size() > 1 || glows(scene) || shines(scene.environment);
   return has_more ? "" : "its only light: without it the image is black";
 }
 

@@ -74,7 +74,8 @@ std::optional<LightSample> sample_light(
     const AreaLight& light = world.lights[chosen];
     point = sample_towards(light.shape, from, u, v);
     if (point) radiance = radiance_towards(light, point->position, from);
-    can_be_hit = !world.has_lights_without_area || has_area(light.shape);
+    can_be_hit = !world.has_lights_without_area || has_area(light.shape) ||
+                 static_cast<int>(chosen) == world.environment_light;
   } else if (const PluginShape* shape = plugin_emitter(world, chosen)) {
     point = sample_towards(*shape, from, u, v);
     if (point) radiance = radiance_of(world, *shape);
@@ -110,6 +111,18 @@ EmissionHit emission_at_light(const World& world,
       pdf_towards(light.shape, is_of_another_point ? ray.origin : sampled_from.position, position);
   return {radiance, pdf, world.emitters.probability(object.light) > 0,
           emission_pdf_if_connected(world, object.light, position, sampled_from.position)};
+}
+
+EmissionHit emission_of_environment_map(const World& world,
+                                        Vec3f direction,
+                                        const LightSampleContext& sampled_from) {
+  const auto index = static_cast<std::size_t>(world.environment_light);
+  const AreaLight& light = world.lights[index];
+  const Radiance radiance{light.radiance.rgb * radiance_from(*world.environment_map, direction)};
+  if (is_dark(radiance)) return {};
+  const float pdf =
+      selection_probability(world, sampled_from, index) * pdf_of(*world.environment_map, direction);
+  return {radiance, pdf, world.emitters.probability(index) > 0};
 }
 
 EmissionHit emission_at_surface(const World& world,

@@ -24,6 +24,10 @@ EmissionHit emission_at_light(const World& world,
                               const Ray& ray,
                               const Hit& hit,
                               const LightSampleContext& sampled_from);
+/// What a ray in this direction sees that meets nothing, in a scene with an environment map.
+EmissionHit emission_of_environment_map(const World& world,
+                                        Vec3f direction,
+                                        const LightSampleContext& sampled_from);
 EmissionHit emission_at_surface(const World& world,
                                 const SurfaceHit& surface,
                                 const EmissionMaterial& material,

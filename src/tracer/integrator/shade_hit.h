@@ -29,6 +29,12 @@ void add_emission(PathBatch<T>& batch, const World& world, PathState<T>& path, c
 
 template <Transport T>
 void add_environment(PathBatch<T>& batch, const World& world, PathState<T>& path) {
+  if (!world.camera_sees_environment && path.scatterings == 0) return;
+  if (world.environment_light >= 0) {
+    add_emission<T>(batch, world, path,
+                    emission_of_environment_map(world, path.ray.direction, path.light_sample));
+    return;
+  }
   if (is_dark(world.environment)) return;
   const auto light = T::radiance(world, world.environment, path.lambda);
   add_contribution(batch, path, T::contribute(path.throughput, light), path.events.index());

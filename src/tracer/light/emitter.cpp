@@ -50,6 +50,8 @@ float share_of_shape(const EmitterShape& shape, Vec3f position, Vec3f to_viewer)
 
 Radiance radiance_towards(const AreaLight& light, Vec3f position, Vec3f to) {
   const Vec3f to_viewer = to - position;
+  if (const auto* environment = std::get_if<EnvironmentEmitter>(&light.shape))
+    return {light.radiance.rgb * radiance_from(*environment->map, -to_viewer)};
   const float of_shape = share_of_shape(light.shape, position, to_viewer);
   if (of_shape == 0) return {};
   if (!light.ies) return {light.radiance.rgb * of_shape, light.radiance.spectrum, of_shape};

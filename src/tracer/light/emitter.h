@@ -4,6 +4,7 @@
 #include "tracer/colour/colour.h"
 #include "tracer/light/directional_emitter.h"
 #include "tracer/light/disk_emitter.h"
+#include "tracer/light/environment_emitter.h"
 #include "tracer/light/point_emitter.h"
 #include "tracer/light/rect_emitter.h"
 #include "tracer/light/sphere_emitter.h"
@@ -23,8 +24,13 @@ namespace orbs::tracer {
 template <EmitterType... Types>
 using EmitterVariant = std::variant<Types...>;
 
-using EmitterShape =
-    EmitterVariant<RectEmitter, DiskEmitter, SphereEmitter, PointEmitter, SpotEmitter, DirectionalEmitter>;
+using EmitterShape = EmitterVariant<RectEmitter,
+                                    DiskEmitter,
+                                    SphereEmitter,
+                                    PointEmitter,
+                                    SpotEmitter,
+                                    DirectionalEmitter,
+                                    EnvironmentEmitter>;
 
 /// A light of the scene; some kinds have no area.
 struct AreaLight {

@@ -39,6 +39,21 @@ scene::WorldBounds lit_bounds(const scene::Scene& scene) {
   return drawn ? joined(bounds, *drawn) : bounds;
 }
 
+// The light behind all others.
+void add_environment_map(const scene::Scene& scene, Vec3d origin, World& world) {
+  const scene::EnvironmentMap& map = *scene.environment.map;
+  world.environment_map = make_environment_map(nth(world.textures, map.texture), map.matrix);
+  const scene::WorldBounds lit = lit_bounds(scene);
+  world.environment_light = static_cast<int>(world.lights.size());
+  world.lights.push_back(
+      {.shape = make_emitter(*world.environment_map, (lit.low + lit.high) * 0.5 - origin, radius_of(lit)),
+       .radiance = {cast<float>(scene.environment.radiance)},
+       .reflectance = {},
+       .ies = {},
+       .ies_axes = {},
+       .centre = {}});
+}
+
 float mean_share(const scene::IesProfile& profile) {
   double sum = 0;
   for (const double value : profile.candela) sum += value;
@@ -120,7 +135,8 @@ void balance_parallel_light(const World& world, std::vector<float>& powers) {
   float parallel = 0;
   float finite = 0;
   const auto is_parallel = [&](std::size_t i) {
-    return i < world.lights.size() && std::holds_alternative<DirectionalEmitter>(world.lights[i].shape);
+    return i < world.lights.size() && (std::holds_alternative<DirectionalEmitter>(world.lights[i].shape) ||
+                                       std::holds_alternative<EnvironmentEmitter>(world.lights[i].shape));
   };
   for (std::size_t i = 0; i < powers.size(); ++i) (is_parallel(i) ? parallel : finite) += powers[i];
   if (!(parallel > 0 && finite > 0)) return;
@@ -151,6 +167,7 @@ void add_lights(const scene::Scene& scene,
     else
       world.has_lights_without_area = true;
   }
+  if (scene.environment.map) add_environment_map(scene, origin, world);
 }
 
 void build_emitters(World& world, LightSelection selection) {

@@ -129,7 +129,10 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
   if (world.shutter && scene.camera.end) world.moving_camera = {scene.camera, extent, origin};
   world.wants_stokes =
       scene.outputs.stokes && scene::covers(world.transport, scene::LightTransport::Polarised);
-  world.environment = {cast<float>(scene.environment), add_spectrum(colours, scene.environment_spectrum)};
+  if (!scene.environment.map)
+    world.environment = {cast<float>(scene.environment.radiance),
+                         add_spectrum(colours, scene.environment.spectrum)};
+  world.camera_sees_environment = scene.environment.visible_to_camera;
   world.integrator = scene.integrator;
   if (std::holds_alternative<scene::IrradianceCache>(world.integrator)) check_irradiance_cache(scene, world);
   world.trace_depth = scene.trace_depth;
@@ -181,6 +184,8 @@ std::string why_no_light_paths(const World& world) {
   if (!std::holds_alternative<scene::PathTracing>(world.integrator))
     return "an irradiance cache keeps the light that they would carry";
   if (world.shutter) return "they would meet the camera's paths at a time of their own, and something moves";
+  if (world.environment_light >= 0)
+    return "they start at lights alone, and what they light is lit by an environment map as well";
   if (std::holds_alternative<LatitudeLongitude>(world.camera.kind))
     return "a latitude-longitude image magnifies without bound towards its poles, and so their noise";
   if (world.emitters.empty()) return "the scene has no light or finite emitter that they could start at";

@@ -51,7 +51,10 @@ struct World {
   scene::LightTransport transport = scene::LightTransport::Rgb;  // what its paths carry
   bool has_appearance_materials = false;                         // a surface shows one
   bool wants_stokes = false;
-  Radiance environment;
+  Radiance environment;                                   // constant; black where there is a map
+  std::unique_ptr<const EnvironmentMap> environment_map;  // of the light `environment_light`
+  int environment_light = -1;                             // its place in `lights`
+  bool camera_sees_environment = true;
   scene::Integrator integrator;            // an irradiance cache needs Rgb transport
   int trace_depth = 1;                     // most scattering events of a path
   std::vector<spectra::Spectrum> spectra;  // of colours and lights, scales applied; empty for RGB

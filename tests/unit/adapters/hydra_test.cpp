@@ -53,13 +53,13 @@ bool contains(const std::string& text, const std::string& part) {
 
 TEST(HydraPaths, ADepthIsTheScenesOrOneMoreByWhatFindsTheLight) {
   scene::Scene scene = box_of(scene::Lambert{});
-  scene.environment = {1, 1, 1};
+  scene.environment.radiance = {1, 1, 1};
   scene.trace_depth = 4;
   EXPECT_EQ(hydra_paths(scene, {}).trace_depth, 5) << "the environment is found behind the last surface";
   EXPECT_EQ(hydra_paths(scene, {{"naive", 1}}).trace_depth, 4);
   scene.lights = {{"l", scene::DiskShape{1}, {1, 1, 1}, {}, {}}};
   EXPECT_EQ(hydra_paths(scene, {}).trace_depth, 5);
-  scene.environment = {};
+  scene.environment.radiance = {};
   EXPECT_EQ(hydra_paths(scene, {}).trace_depth, 4) << "lamps are sampled at the last surface";
   EXPECT_FALSE(hydra_paths(scene, {}).is_direct);
   scene.trace_depth = 1;
@@ -211,7 +211,7 @@ TEST(HydraIes, TheGridHoldsTheProfileInTheMiddlesOfItsCells) {
 TEST(HydraLights, AreCalledByTheirMeshesAndTheSkyIsTheLast) {
   const TestFolder folder("hydra-lights");
   scene::Scene scene = box_of(scene::Lambert{{0.5, 0.5, 0.5}, {}});
-  scene.environment = {0.25, 0.5, 1};
+  scene.environment.radiance = {0.25, 0.5, 1};
   scene.lights = {{"a", scene::RectShape{1, 2}, {3, 2, 1}, translation({0, 4, 0}), {}},
                   {"b", scene::SphereShape{0.5}, {1, 1, 1}, {}, {}}};
   const auto text = exported(scene, folder);

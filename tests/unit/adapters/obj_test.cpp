@@ -80,7 +80,7 @@ TEST(Obj, TheDescriptionNamesCameraLampsAndSettings) {
   auto scene = two_cubes();
   scene.camera.fov_y_deg = 40;
   scene.trace_depth = scene::kUnlimitedDepth;
-  scene.environment = {1, 2, 3};
+  scene.environment.radiance = {1, 2, 3};
   // Turned upside down, it shines up.
   scene.lights = {{"", scene::RectShape{1, 2}, {7, 8, 9}, translation({0, 4, 0}) * rotation_x(180), {}}};
   adapters::write_obj(scene, folder.path() / "scene.obj");

@@ -79,7 +79,7 @@ TEST_F(PovrayText, DirectLightAloneHasNoRadiosity) {
 
 // The sky has no light_source, so even its first reflection is gathered.
 TEST_F(PovrayText, LightOfTheSkyIsGatheredOnceMore) {
-  scene_.environment = {1, 1, 1};
+  scene_.environment.radiance = {1, 1, 1};
   scene_.trace_depth = 1;
   EXPECT_TRUE(holds(written(), "recursion_limit 1"));
   scene_.trace_depth = 2;

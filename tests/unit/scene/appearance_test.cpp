@@ -64,7 +64,7 @@ TEST(AppearanceScene, ASpectrumKeepsTheColourThatTheEyeMakesOfIt) {
   EXPECT_EQ(wall.spectrum->scale, 0.5);
   EXPECT_GT(wall.reflectance.x, 2 * wall.reflectance.z) << "the ramp rises towards red";
   const Vec3d d50 = spectra::rgb_of_xyz(spectra::xyz_of_light(spectra::illuminant("D50")));
-  EXPECT_NEAR(scene.environment.x, 2 * d50.x, 1e-12);
+  EXPECT_NEAR(scene.environment.radiance.x, 2 * d50.x, 1e-12);
   EXPECT_LT(scene.lights[0].radiance.y, 0) << "light of 450 nm lies outside of Rec.709";
 }
 
@@ -98,7 +98,7 @@ TEST(AppearanceScene, WhatIsWrittenReadsBackAsTheSameScene) {
     first.replace(at, 10, "again.0.ply");
   EXPECT_EQ(first, again);
   EXPECT_TRUE(copy == scene);
-  EXPECT_EQ(copy.environment.x, scene.environment.x);
+  EXPECT_EQ(copy.environment.radiance.x, scene.environment.radiance.x);
   EXPECT_EQ(model<scene::Conductor>(copy, 1).index.n.values,
             model<scene::Conductor>(scene, 1).index.n.values);
   EXPECT_EQ(copy.spectra[4].spectrum.beyond, spectra::Beyond::IsZero);

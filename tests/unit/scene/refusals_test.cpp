@@ -44,8 +44,9 @@ TEST(SceneRefusal, TheNearPlaneLiesBeforeTheFarOne) {
 TEST(SceneRefusal, ColoursAreThreeNumbersOrASpectrum) {
   expect_part(refusal("", "0.5"),
               "/materials/0/reflectance: must be three numbers or {\"spectrum\": name}, is number");
-  expect_part(refusal("", kGrey, R"(, "environment": 1)"),
-              "/environment: must be three numbers or {\"spectrum\": name}, is number");
+  expect_part(
+      refusal("", kGrey, R"(, "environment": 1)"),
+      "/environment: must be [r, g, b], a spectrum, or an object with a radiance or a map, is number");
 }
 
 TEST(SceneRefusal, RadianceIsWhatAnImageCanHold) {

@@ -146,11 +146,11 @@ TEST(Relations, SplitEmittersCoverWhatTheyReplace) {
 
 TEST(Relations, EmissionOfEveryKindIsMultiplied) {
   auto original = block_on_ground();
-  original.environment = {1, 2, 3};
-  original.environment_spectrum = scene::SpectrumUse{0, 5};
+  original.environment.radiance = {1, 2, 3};
+  original.environment.spectrum = scene::SpectrumUse{0, 5};
   const auto changed = scene::with_emission_times(original, 4);
-  EXPECT_EQ(changed.environment, (Vec3d{4, 8, 12}));
-  EXPECT_EQ(changed.environment_spectrum->scale, 20);
+  EXPECT_EQ(changed.environment.radiance, (Vec3d{4, 8, 12}));
+  EXPECT_EQ(changed.environment.spectrum->scale, 20);
   EXPECT_EQ(changed.lights[1].radiance, (Vec3d{16, 32, 64}));
   EXPECT_EQ(std::get<scene::Emission>(changed.materials[3].model).radiance, (Vec3d{8, 4, 2}));
   EXPECT_EQ(changed.materials[1], original.materials[1]);
@@ -183,7 +183,7 @@ TEST(Relations, ASceneWithoutAGroundSaysSo) {
 // At 100 radii the sky between the edge and the horizon is half a pixel of 32 high.
 TEST(Relations, AGroundBelowAShiningSkyHasAnEdge) {
   auto scene = block_on_ground();
-  scene.environment = {0, 0, 1};
+  scene.environment.radiance = {0, 0, 1};
   EXPECT_EQ(std::get<std::string>(scene::with_large_ground(scene, 1000)).substr(0, 22),
             "its environment shines");
 }
