@@ -143,7 +143,7 @@ AddCommand add_renderer_command, add_reference_command, add_completion_command;
 AddCommand add_probe_command, add_qualify_command, add_bench_command, add_effect_cost_command;
 AddCommand add_sensitivity_command, add_cost_command, add_stability_command, add_compare_runs_command;
 AddCommand add_history_command, add_merge_command, add_submit_command, add_export_command;
-AddCommand add_judge_command, add_manual_command, add_import_command;
+AddCommand add_judge_command, add_manual_command, add_import_command, add_explain_command;
 
 namespace {
 
@@ -163,6 +163,8 @@ constexpr std::array kCommands{
     Command{"report", kResults, "Write the page of a run as one HTML file", add_report_command},
     Command{"compare", kResults, "Compare two images by every metric, and tell bias from noise",
             add_compare_command},
+    Command{"explain", kResults, "Find the typical mistake that makes an image as wrong as it is",
+            add_explain_command},
     Command{"compare-runs", kResults, "Compare two runs: significant regressions and improvements",
             add_compare_runs_command},
     Command{"history", kResults, "Show verdicts, errors and times over many runs, and where they changed",

@@ -57,6 +57,16 @@ std::string probe_hints(const results::RunRecord& run) {
   return text;
 }
 
+std::string explain_hint(const results::RunRecord& run) {
+  const bool has_unknown = std::any_of(run.targets.begin(), run.targets.end(), [](const auto& target) {
+    return target.diagnosis == results::kNoUsualFault && target.expectation != results::Expectation::Known;
+  });
+  return has_unknown
+             ? "'orbs explain' renders these scenes with one typical mistake after the other, and names the "
+               "one that makes the same image\n"
+             : "";
+}
+
 std::string size_note(const results::RunRecord& run) {
   if (run.size == "1") return "";
   std::ptrdiff_t unmeasured = 0;

@@ -11,6 +11,10 @@ namespace orbs::report {
 /// whose tiles all have the right mean are only noisy and give no hint. "" if there is none.
 std::string probe_hints(const results::RunRecord& run);
 
+/// Where an image fails and none of the usual faults explains it: that orbs explain tries more. "" if there
+/// is none.
+std::string explain_hint(const results::RunRecord& run);
+
 /// What the verdicts of a run at a reduced size do not rest on, in one line; "" at full size.
 std::string size_note(const results::RunRecord& run);
 

@@ -1,6 +1,7 @@
 #include "scene/render_fault.h"
 
 #include "image/image_io.h"
+#include "scene/camera_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,47 @@ void map_normals_by_matrix(Scene& scene) {
     scene.meshes.push_back(std::move(mesh));
   }
 }
+
+void turn_environment(Scene& scene, const Mat4& turn) {
+  scene.environment.map->matrix = turn * scene.environment.map->matrix;
+}
+
+// The members by which models are rough. At 0 and 1 a root changes nothing.
+bool has_roughness_between(const MaterialModel& model) {
+  const auto is_between = [](double value) { return value > 0 && value < 1; };
+  return std::visit(
+      [&](const auto& m) {
+        if constexpr (requires { m.alpha; })
+          return is_between(m.alpha);
+        else if constexpr (requires { m.metallic; })
+          return is_between(m.roughness);
+        else
+          return false;
+      },
+      model);
+}
+
+void take_roots_of_roughness(Scene& scene) {
+  for (auto& material : scene.materials)
+    std::visit(
+        [](auto& m) {
+          if constexpr (requires { m.alpha; })
+            m.alpha = std::sqrt(m.alpha);
+          else if constexpr (requires { m.metallic; })
+            m.roughness = std::sqrt(m.roughness);
+        },
+        material.model);
+}
+
+void halve_spots(Scene& scene) {
+  for (auto& light : scene.lights)
+    if (auto* spot = std::get_if<SpotShape>(&light.shape)) {
+      spot->inner_deg /= 2;
+      spot->outer_deg /= 2;
+    }
+}
+
+std::string reason_unless(bool changes, const char* reason) { return changes ? "" : reason; }
 
 }  // namespace
 
@@ -87,6 +129,24 @@ std::string why_fault_changes_nothing(const Scene& scene, RenderFault fault) {
     case RenderFault::OneBounceLess:
       if (scene.trace_depth == kUnlimitedDepth) return "its trace depth is unlimited";
       return scene.trace_depth == 1 ? "its trace depth is 1: that is emitters-only" : "";
+    case RenderFault::EnvironmentQuarterTurn:
+    case RenderFault::EnvironmentMirrored:
+      return reason_unless(scene.environment.map.has_value(), "it has no environment map");
+    case RenderFault::RoughnessNotSquared: {
+      const auto shown = visible_materials(scene);
+      return reason_unless(std::any_of(shown.begin(), shown.end(),
+                                       [&](int material) {
+                                         return has_roughness_between(material_at(scene, material).model);
+                                       }),
+                           "it shows no rough surface");
+    }
+    case RenderFault::SpotFullAngles:
+      return reason_unless(
+          std::any_of(scene.lights.begin(), scene.lights.end(),
+                      [](const auto& light) { return std::holds_alternative<SpotShape>(light.shape); }),
+          "it has no spot");
+    case RenderFault::LensDiameter:
+      return reason_unless(has_lens(scene.camera), "its camera has no lens");
   }
   return "";
 }
@@ -95,6 +155,11 @@ Scene with_fault(Scene scene, RenderFault fault) {
   if (fault == RenderFault::NormalsByMatrix) map_normals_by_matrix(scene);
   if (fault == RenderFault::EmittersOnly) scene.trace_depth = 0;
   if (fault == RenderFault::OneBounceLess) --scene.trace_depth;
+  if (fault == RenderFault::EnvironmentQuarterTurn) turn_environment(scene, rotation_y(90));
+  if (fault == RenderFault::EnvironmentMirrored) turn_environment(scene, scaling({-1, 1, 1}));
+  if (fault == RenderFault::RoughnessNotSquared) take_roots_of_roughness(scene);
+  if (fault == RenderFault::SpotFullAngles) halve_spots(scene);
+  if (fault == RenderFault::LensDiameter) scene.camera.aperture_radius_m /= 2;
   return scene;
 }
 

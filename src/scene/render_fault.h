@@ -12,7 +12,18 @@
 /// purpose: a suite that is to find them must reject such images.
 namespace orbs::scene {
 
-enum class RenderFault { NormalsByMatrix, RawTextures, NoMisWeight, EmittersOnly, OneBounceLess };
+enum class RenderFault {
+  NormalsByMatrix,
+  RawTextures,
+  NoMisWeight,
+  EmittersOnly,
+  OneBounceLess,
+  EnvironmentQuarterTurn,
+  EnvironmentMirrored,
+  RoughnessNotSquared,
+  SpotFullAngles,
+  LensDiameter
+};
 
 struct RenderFaultInfo {
   RenderFault fault;
@@ -29,7 +40,17 @@ inline constexpr std::array kRenderFaults{
                     "light sampling and BSDF sampling both count in full, without the weights of multiple "
                     "importance sampling"},
     RenderFaultInfo{RenderFault::EmittersOnly, "emitters-only", "no surface reflects: a trace depth of 0"},
-    RenderFaultInfo{RenderFault::OneBounceLess, "one-bounce-less", "the trace depth is one less"}};
+    RenderFaultInfo{RenderFault::OneBounceLess, "one-bounce-less", "the trace depth is one less"},
+    RenderFaultInfo{RenderFault::EnvironmentQuarterTurn, "environment-quarter-turn",
+                    "the environment map is turned about y by a quarter"},
+    RenderFaultInfo{RenderFault::EnvironmentMirrored, "environment-mirrored",
+                    "the environment map is mirrored from left to right"},
+    RenderFaultInfo{RenderFault::RoughnessNotSquared, "roughness-not-squared",
+                    "alpha is the root of what it should be: a roughness is taken for its square"},
+    RenderFaultInfo{RenderFault::SpotFullAngles, "spot-full-angles",
+                    "the half angles of spots are taken for full ones: cones are twice as narrow"},
+    RenderFaultInfo{RenderFault::LensDiameter, "lens-diameter",
+                    "the radius of the lens is taken for its diameter: half the blur"}};
 
 std::string_view name_of(RenderFault fault);
 std::vector<std::string> render_fault_names();
