@@ -23,10 +23,10 @@ const Vec3d kUp{0, 1, 0};
 
 TEST(AnalyticLights, FollowTheInverseSquareAndTheCosine) {
   const auto point = lit_by({.position = Vec3d{3, 4, 0}, .strength = 10});
-  EXPECT_NEAR(irradiance_of_lights(point, {}, kUp), 10 * 4.0 / 125, 1e-14);
-  EXPECT_EQ(irradiance_of_lights(point, {}, {0, -1, 0}), 0);
+  EXPECT_NEAR(irradiance_of_lights(point, {}, kUp, kUp), 10 * 4.0 / 125, 1e-14);
+  EXPECT_EQ(irradiance_of_lights(point, {}, {0, -1, 0}, {0, -1, 0}), 0);
   const auto afar = lit_by({.position = {}, .direction = {0.6, -0.8, 0}, .strength = 10});
-  EXPECT_NEAR(irradiance_of_lights(afar, {7, 0, -3}, kUp), 8, 1e-14);
+  EXPECT_NEAR(irradiance_of_lights(afar, {7, 0, -3}, kUp, kUp), 8, 1e-14);
 }
 
 // The table of angles between 15 and 30 degrees of the scene format.
@@ -38,15 +38,15 @@ TEST(AnalyticLights, FallOffInACone) {
                               .direction = {std::sin(angle), -std::cos(angle), 0},
                               .strength = 1,
                               .cone_deg = std::array{15.0, 30.0}});
-    EXPECT_NEAR(irradiance_of_lights(spot, {}, kUp), share, 1e-5) << degrees;
+    EXPECT_NEAR(irradiance_of_lights(spot, {}, kUp, kUp), share, 1e-5) << degrees;
   }
   const auto hard = lit_by({.position = Vec3d{1, 1, 0}, .strength = 1, .cone_deg = std::array{44.9, 44.9}});
-  EXPECT_EQ(irradiance_of_lights(hard, {}, kUp), 0);
+  EXPECT_EQ(irradiance_of_lights(hard, {}, kUp, kUp), 0);
 }
 
 TEST(AnalyticLights, FollowATableAboutTheirPlace) {
   const auto table = lit_by({.position = Vec3d{1, 1, 0}, .strength = 4, .candela = {{0, 1}, {90, 0}}});
-  EXPECT_NEAR(irradiance_of_lights(table, {}, kUp), 4 * 0.5 / std::pow(2, 1.5), 1e-12);
+  EXPECT_NEAR(irradiance_of_lights(table, {}, kUp, kUp), 4 * 0.5 / std::pow(2, 1.5), 1e-12);
 }
 
 TEST(AnalyticLights, AreHiddenByPolygonsBetweenAndByNoOthers) {
@@ -57,10 +57,10 @@ TEST(AnalyticLights, AreHiddenByPolygonsBetweenAndByNoOthers) {
   };
   scene.has_shadows = true;
   scene.surfaces = {card_at(0), card_at(3), card_at(-1)};
-  EXPECT_NEAR(irradiance_of_lights(scene, {}, kUp), 1, 1e-14);
+  EXPECT_NEAR(irradiance_of_lights(scene, {}, kUp, kUp), 1, 1e-14);
   scene.surfaces.push_back(card_at(1));
-  EXPECT_EQ(irradiance_of_lights(scene, {}, kUp), 0);
-  EXPECT_GT(irradiance_of_lights(scene, {2.1, 0, 0}, kUp), 0);
+  EXPECT_EQ(irradiance_of_lights(scene, {}, kUp, kUp), 0);
+  EXPECT_GT(irradiance_of_lights(scene, {2.1, 0, 0}, kUp, kUp), 0);
 }
 
 }  // namespace
