@@ -121,7 +121,7 @@ def build(scene, folder, scale_option):
     print(f"orbs: scale {scale:.9g}", flush=True)
     scales_radiance = may_start_in_glass(scene["camera"], descriptions, meshes, instances, lights)
     textures = {t["name"]: load_texture(t) for t in scene.get("textures", [])}
-    around = cycles_materials.Surroundings(textures, scales_radiance, scale)
+    around = cycles_materials.Surroundings(textures, scales_radiance, descriptions, scale)
     materials = {name: make_material(m, around) for name, m in descriptions.items()}
     add_camera(scene["camera"], scale, farthest_distance(scene["camera"]["position"], boxes))
     cycles_environment.add_environment(checked_environment(scene.get("environment", [0, 0, 0])), textures)

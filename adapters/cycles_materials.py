@@ -4,6 +4,7 @@ What Cycles computes was read in the kernel sources that Blender ships (addons/c
 - Diffuse BSDF with roughness s > 0 is f = c (a + b t), a = 1 / (pi + (3 pi - 4) s / 6), b = s a; t is the Oren-Nayar term
   cos(dphi) sin(alpha) tan(beta) where it is positive, and sin(theta_i) sin(theta_o) cos(dphi) where it is negative.
 - Glossy and Refraction GGX use separable Smith masking and no Fresnel factor; alpha = roughness^2.
+- Anisotropic GGX is separable as well; exactly along the normal each of its two factors is 2 in place of 1.
 - Refraction does not scale radiance by the squared index: the adapter multiplies it in.
 - 8-bit sRGB images are interpolated in their encoded form: the adapter hands over decoded float texels instead.
 """
@@ -193,11 +194,12 @@ def emission(shader, radiance, strength=1.0):
 
 @dataclass
 class Surroundings:
-    """Holds what the materials of a scene share: images and wraps by texture name, whether glass scales radiance, and
-    Blender's units per metre."""
+    """Holds what the materials of a scene share: images and wraps by texture name, whether glass scales radiance, the
+    parts of blends, and Blender's units per metre."""
 
     textures: dict
     scales_radiance: bool
+    descriptions: dict  # of all materials, by name
     scale: float = 1.0
 
 
@@ -223,6 +225,56 @@ def _ggx(shader, m, _):
     return glossy(shader, m["colour"], m["alpha"])
 
 
+def _anisotropic_ggx(shader, m, _):
+    """alpha (1 - a) along and alpha / (1 - a) across, alpha = roughness^2; the other way round for negative a."""
+    along, across = m["alpha_x"], m["alpha_y"]
+    alpha = math.sqrt(along * across)
+    anisotropy = 1 - along / alpha if along <= across else across / alpha - 1
+    tangent = shader.node("ShaderNodeTangent", direction_type="UV_MAP", uv_map="uv").outputs["Tangent"]
+    inputs = {"Color": m["colour"], "Roughness": math.sqrt(alpha), "Anisotropy": anisotropy,
+              "Rotation": m["rotation"] / 360, "Tangent": tangent}
+    return shader.node("ShaderNodeBsdfAnisotropic", inputs, distribution="GGX").outputs["BSDF"]
+
+
+def red_of(shader, use, textures):
+    return shader.node("ShaderNodeSeparateColor", {"Color": sampled_texture(shader, use, textures)}).outputs["Red"]
+
+
+def _varying_ggx(shader, m, around):
+    """Roughness is the root of alpha, taken behind the filter."""
+    held = red_of(shader, m["texture"], around.textures)
+    alpha = shader.math("SUBTRACT", 1.0, held) if m["holds"] == "glossiness" else shader.math("MULTIPLY", held, m["alpha"])
+    inputs = {"Color": m["colour"], "Roughness": shader.math("SQRT", alpha)}
+    return shader.node("ShaderNodeBsdfGlossy", inputs, distribution="GGX").outputs["BSDF"]
+
+
+def _blend(shader, m, around):
+    first, second = (around.descriptions[m[key]] for key in ("first", "second"))
+    weight = m["weight"]
+    if m.get("texture"):
+        weight = shader.math("MULTIPLY", red_of(shader, m["texture"], around.textures), weight)
+    parts = {0: weight, 1: surface_of(shader, first, around), 2: surface_of(shader, second, around)}
+    return shader.node("ShaderNodeMixShader", parts).outputs["Shader"]
+
+
+def mixed_colours(colour, rest, mix):
+    """The colours of the glossy and the diffuse part after one gave way, so that they are at most 1 together."""
+    if mix == "per_component":
+        return colour, [min(d, 1 - r) for r, d in zip(colour, rest)]
+    if mix == "sum":
+        shares = [1 / max(1, r + d) for r, d in zip(colour, rest)]
+        return [r * s for r, s in zip(colour, shares)], [d * s for d, s in zip(rest, shares)]
+    taken = max(colour) if mix == "maximum" else sum(colour) / 3
+    share = min(1, (1 - taken) / max(rest)) if max(rest) > 0 else 1
+    return colour, [d * share for d in rest]
+
+
+def _ggx_lambert(shader, m, _):
+    colour, rest = mixed_colours(m["colour"], m["diffuse"], m["mix"])
+    both = {0: glossy(shader, colour, m["alpha"]), 1: diffuse(shader, rest)}
+    return shader.node("ShaderNodeAddShader", both).outputs["Shader"]
+
+
 def _rough_glass(shader, m, around):
     return dielectric(shader, m, m["alpha"], around.scales_radiance)
 
@@ -238,6 +290,10 @@ MATERIAL_TYPES = {
     "mirror": ({"reflectance"}, set(), _mirror),
     "glass": ({"colour", "ior"}, set(), _glass),
     "ggx": ({"colour", "alpha"}, set(), _ggx),
+    "anisotropic_ggx": ({"colour", "alpha_x", "alpha_y", "rotation", "masking"}, set(), _anisotropic_ggx),
+    "varying_ggx": ({"colour", "holds", "masking", "texture"}, {"alpha"}, _varying_ggx),
+    "blend": ({"first", "second", "weight"}, {"texture"}, _blend),
+    "ggx_lambert": ({"colour", "alpha", "diffuse", "mix"}, set(), _ggx_lambert),
     "rough_glass": ({"colour", "ior", "alpha"}, set(), _rough_glass),
     "emission": ({"radiance"}, {"texture"}, _emission),
 }
@@ -284,10 +340,13 @@ def let_rays_pass(shader, surface, m, around):
     return shader.node("ShaderNodeMixShader", {0: share, 1: behind, 2: surface}).outputs["Shader"]
 
 
+def surface_of(shader, description, around):
+    return MATERIAL_TYPES[description["type"]][2](shader, description, around)
+
+
 def make_material(description, around):
     shader = Shader(description["name"])
-    build = MATERIAL_TYPES[description["type"]][2]
-    surface = build(shader, description, around)
+    surface = surface_of(shader, description, around)
     normal = detail_normal(shader, description, around)
     if normal is not None:
         turn_normals(shader, normal)

@@ -80,6 +80,23 @@ RealOf<V> ggx_lambda(V w, RealOf<V> alpha) {
   return Real(0.5) * (std::sqrt(1 + alpha * alpha * tan2) - 1);
 }
 
+/// The same three for microfacets whose slopes differ: alpha_x along the x axis and alpha_y along y (Heitz
+/// 2014, eq. 85 and 86). Stretched by 1 / alpha along each axis they are those of alpha = 1.
+template <typename V>
+RealOf<V> ggx_d(V m, RealOf<V> alpha_x, RealOf<V> alpha_y) {
+  using Real = RealOf<V>;
+  if (m.z <= 0) return 0;
+  const Real x = m.x / alpha_x;
+  const Real y = m.y / alpha_y;
+  const Real s = x * x + y * y + m.z * m.z;
+  return 1 / (std::numbers::pi_v<Real> * alpha_x * alpha_y * s * s);
+}
+
+template <typename V>
+RealOf<V> ggx_lambda(V w, RealOf<V> alpha_x, RealOf<V> alpha_y) {
+  return ggx_lambda(V{alpha_x * w.x, alpha_y * w.y, w.z}, RealOf<V>(1));
+}
+
 template <typename V>
 RealOf<V> ggx_g1(V w, RealOf<V> alpha) {
   return smith_g1(ggx_lambda(w, alpha));
@@ -95,9 +112,9 @@ RealOf<V> ggx_visible_d(V wo, V m, RealOf<V> alpha) {
 /// Samples a normal visible from wo (wo.z > 0), given a point uniformly distributed on the unit disk
 /// (Heitz 2018, listing 1).
 template <typename V, typename V2>
-V sample_ggx_visible(V wo, RealOf<V> alpha, V2 disk) {
+V sample_ggx_visible(V wo, RealOf<V> alpha_x, RealOf<V> alpha_y, V2 disk) {
   using Real = RealOf<V>;
-  const V view = normalised3(V{alpha * wo.x, alpha * wo.y, wo.z});
+  const V view = normalised3(V{alpha_x * wo.x, alpha_y * wo.y, wo.z});
   const Real across2 = view.x * view.x + view.y * view.y;
   const Real scale = across2 > 0 ? Real(1) / std::sqrt(across2) : 0;
   const V t1 = across2 > 0 ? V{-view.y * scale, view.x * scale, 0 * scale} : V{1, 0, 0};
@@ -109,7 +126,12 @@ V sample_ggx_visible(V wo, RealOf<V> alpha, V2 disk) {
   const V n{t1.x * disk.x + t2.x * y + view.x * z, t1.y * disk.x + t2.y * y + view.y * z,
             t1.z * disk.x + t2.z * y + view.z * z};
   // 1e-9 keeps the normal above the horizon.
-  return normalised3(V{alpha * n.x, alpha * n.y, std::max(Real(1e-9), n.z)});
+  return normalised3(V{alpha_x * n.x, alpha_y * n.y, std::max(Real(1e-9), n.z)});
+}
+
+template <typename V, typename V2>
+V sample_ggx_visible(V wo, RealOf<V> alpha, V2 disk) {
+  return sample_ggx_visible(wo, alpha, alpha, disk);
 }
 
 /// Beckmann distribution of microfacet normals, per solid angle (Walter eq. 25).

@@ -3,6 +3,7 @@
 #include "adapters/light_frame.h"
 #include "scene/effects/features.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -89,6 +90,27 @@ std::string alpha_limit(const std::string& material, double alpha, const char* r
   if (alpha >= least_alpha) return "";
   return fmt::format("material '{}' has alpha {}: {} changes what is below {}", material, alpha, renderer,
                      least_alpha);
+}
+
+std::string rotation_limit(const std::string& material,
+                           const scene::AnisotropicGgx& m,
+                           const char* renderer) {
+  if (scene::alphas_unturned(m)) return "";
+  return fmt::format("material '{}' turns its axis by {} degrees: {} has the direction of the texture alone",
+                     material, m.rotation_deg, renderer);
+}
+
+std::string mix_limit(const std::string& material, const scene::GgxLambert& m, const char* renderer) {
+  const auto mean = scene::mix_as_mean(m);
+  const double largest =
+      std::max({mean.glossy.x, mean.glossy.y, mean.glossy.z, mean.diffuse.x, mean.diffuse.y, mean.diffuse.z});
+  // Each part has the larger of the two sums as its largest component, which is 1 but for rounding where one
+  // of them gave way.
+  if (largest <= 1 + 1e-12) return "";
+  return fmt::format(
+      "material '{}' is the sum of a glossy and a diffuse reflection of unlike hues: {} has weighted means, "
+      "whose parts would reflect {:.2f}",
+      material, renderer, largest);
 }
 
 std::string spectral_texture_limit(const scene::Texture& texture, const char* renderer) {

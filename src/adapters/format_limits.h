@@ -39,6 +39,10 @@ std::string masking_limit(const std::string& material,
                           bool has_separable);
 /// Refuses a roughness below `least_alpha`, which the renderer would change.
 std::string alpha_limit(const std::string& material, double alpha, const char* renderer, double least_alpha);
+/// Refuses an axis that is not turned by quarters.
+std::string rotation_limit(const std::string& material, const scene::AnisotropicGgx& m, const char* renderer);
+/// Refuses a mix whose parts exceed 1 as those of a weighted mean.
+std::string mix_limit(const std::string& material, const scene::GgxLambert& m, const char* renderer);
 /// Refuses a texture in a scene that is rendered by wavelengths: each renderer makes spectra of its colours
 /// by its own model.
 std::string spectral_texture_limit(const scene::Texture& texture, const char* renderer);

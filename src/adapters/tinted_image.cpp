@@ -13,7 +13,7 @@ namespace orbs::adapters {
 
 namespace {
 
-// The colour that a material's texture is multiplied by.
+// The colour that a material's texture is multiplied by, or the number: the weight of a blend, a roughness.
 scene::RgbColour tint_of(const scene::MaterialModel& model) {
   return std::visit(
       [](const auto& m) -> scene::RgbColour {
@@ -21,8 +21,12 @@ scene::RgbColour tint_of(const scene::MaterialModel& model) {
           return {};
         else if constexpr (requires { m.radiance; })
           return m.radiance;
-        else
+        else if constexpr (requires { m.reflectance; })
           return m.reflectance;
+        else if constexpr (requires { m.weight; })
+          return {m.weight, m.weight, m.weight};
+        else
+          return {m.alpha, m.alpha, m.alpha};
       },
       model);
 }
@@ -42,6 +46,9 @@ image::Image tinted(const scene::Scene& scene, int material) {
   image::Image image = numbers_of(texture);
   for (std::size_t i = 0; i < image.pixels.size(); ++i)
     image.pixels[i] = static_cast<float>(static_cast<double>(image.pixels[i]) * factors[i % 3]);
+  const auto* rough = std::get_if<scene::VaryingGgx>(&model);
+  if (rough != nullptr && rough->is_glossiness)
+    for (float& value : image.pixels) value = 1 - value;
   return image;
 }
 

@@ -13,7 +13,8 @@ std::string tinted_image_name(int material, const std::string& stem);
 /// Names of the images of its channels R, G and B alone.
 std::array<std::string, 3> tinted_channel_names(int material, const std::string& stem);
 
-/// Writes the texture of a material (which has one) times the material's colour as a float EXR of linear
+/// Writes the texture of a material (which has one) times the material's colour, the weight of a blend or the
+/// roughness that a texture states, as a float EXR of linear
 /// Rec.709, for renderers that cannot multiply a texture by a colour. Exact: decoding and tint are per texel,
 /// and filtering, which comes later, is linear. It also leaves no question of encoding to the renderer.
 /// InputError when a file cannot be read or written.

@@ -2,6 +2,7 @@
 
 #include "analytic/direct_light.h"
 #include "analytic/lens.h"
+#include "analytic/plastic.h"
 #include "analytic/ray.h"
 #include "analytic/reflectance.h"
 #include "analytic/textured_plane.h"
@@ -46,16 +47,27 @@ double albedo(const registry::PhongBrdf& brdf, double reflectance, double theta)
   return directional_albedo(phong_brdf(reflectance, brdf.exponent), std::cos(theta));
 }
 
+/// The directional albedo of a ball's BRDF at an angle to the normal.
+using AlbedoAt = std::function<double(double theta)>;
+
+template <typename Brdf>
+AlbedoAt albedo_of(const Brdf& brdf, double reflectance) {
+  return [=](double theta) { return albedo(brdf, reflectance, theta); };
+}
+AlbedoAt albedo_of(const registry::PlasticBrdf& brdf, double reflectance) {
+  return [plastic = PlasticAlbedo({reflectance, brdf.ior, brdf.is_nonlinear, brdf.alpha})](double theta) {
+    return plastic.at(std::cos(theta));
+  };
+}
+
 /// The directional albedo at even steps of the angle, linear between them: (pi / 2 / 512)^2 / 8 = 1.2e-6 of
 /// its second derivative off.
 class AlbedoTable {
  public:
   explicit AlbedoTable(const registry::AlbedoBall& ball) {
-    for (int i = 0; i <= kSteps; ++i) {
-      const double theta = i * std::numbers::pi / 2 / kSteps;
-      values_.push_back(
-          std::visit([&](const auto& brdf) { return albedo(brdf, ball.reflectance, theta); }, ball.brdf));
-    }
+    const auto albedo_at =
+        std::visit([&](const auto& brdf) { return albedo_of(brdf, ball.reflectance); }, ball.brdf);
+    for (int i = 0; i <= kSteps; ++i) values_.push_back(albedo_at(i * std::numbers::pi / 2 / kSteps));
   }
   double at(double theta) const {
     const double place = std::min(theta / (std::numbers::pi / 2), 1.0) * kSteps;

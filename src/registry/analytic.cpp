@@ -179,6 +179,12 @@ FresnelPlane load_fresnel_plane(ObjectReader& in) {
 // The quadrature of lobes that are narrower would need more nodes.
 constexpr json::Range kWideAlpha{0.1, 1};
 
+PlasticBrdf load_plastic(ObjectReader& in) {
+  PlasticBrdf plastic{in.number("plastic_ior", {1, 4}), in.boolean_or("nonlinear", false), 0};
+  if (in.has("plastic_alpha")) plastic.alpha = in.number("plastic_alpha", kWideAlpha);
+  return plastic;
+}
+
 BallBrdf load_ball_brdf(ObjectReader& in) {
   std::vector<BallBrdf> all;
   if (in.has("oren_nayar_roughness"))
@@ -188,10 +194,11 @@ BallBrdf load_ball_brdf(ObjectReader& in) {
   if (in.has("metallic"))
     all.emplace_back(MetallicRoughnessBrdf{in.number("metallic", {0, 1}), in.number("roughness", {0.32, 1})});
   if (in.has("phong_exponent")) all.emplace_back(PhongBrdf{in.number("phong_exponent", {0, 100})});
+  if (in.has("plastic_ior")) all.emplace_back(load_plastic(in));
   if (all.size() != 1)
-    in.fail(
-        "",
-        "needs one of 'oren_nayar_roughness', 'ggx_alpha', 'metal_alpha', 'metallic' and 'phong_exponent'");
+    in.fail("",
+            "needs one of 'oren_nayar_roughness', 'ggx_alpha', 'metal_alpha', 'metallic', 'phong_exponent' "
+            "and 'plastic_ior'");
   return all.front();
 }
 

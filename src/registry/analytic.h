@@ -109,7 +109,13 @@ struct MetallicRoughnessBrdf {
 struct PhongBrdf {
   double exponent = 0;
 };
-using BallBrdf = std::variant<OrenNayarBrdf, GgxBrdf, MetalBrdf, MetallicRoughnessBrdf, PhongBrdf>;
+struct PlasticBrdf {
+  double ior = 1.5;
+  bool is_nonlinear = false;
+  double alpha = 0;  // 0 is smooth
+};
+using BallBrdf =
+    std::variant<OrenNayarBrdf, GgxBrdf, MetalBrdf, MetallicRoughnessBrdf, PhongBrdf, PlasticBrdf>;
 
 /// A single convex ball in a constant environment of radiance 1: each pixel shows the directional albedo.
 struct AlbedoBall {

@@ -24,7 +24,7 @@ struct Group {
   int highest;
 };
 constexpr std::array kGroups{Group{'G', 5}, Group{'M', 8}, Group{'L', 4}, Group{'A', 4},
-                             Group{'B', 8}, Group{'C', 5}, Group{'D', 6}, Group{'E', 6},
+                             Group{'B', 9}, Group{'C', 5}, Group{'D', 6}, Group{'E', 6},
                              Group{'N', 6}, Group{'S', 7}, Group{'T', 3}, Group{'I', 2}};
 
 int rank(char group) {

@@ -3,6 +3,8 @@
 #include "scene/load/kind.h"
 #include "scene/load/spectra.h"
 
+#include <fmt/format.h>
+
 namespace orbs::scene {
 
 const char* type_name(const MaterialModel& model) {
@@ -39,11 +41,37 @@ const std::optional<SpectrumUse>& spectrum_of(const MaterialModel& model) {
       model);
 }
 
-Material load_material(json::ObjectReader& in, const Names& textures, SpectralData& spectra) {
+namespace {
+
+// Only what stands before the blend is loaded already.
+void check_part(const json::ObjectReader& in,
+                const char* key,
+                const Blend::Part& named,
+                const std::vector<Material>& before) {
+  if (named.material >= static_cast<int>(before.size()))
+    in.fail(key, "must name a material that stands before this one");
+  const auto& part = before[static_cast<std::size_t>(named.material)];
+  if (std::holds_alternative<Emission>(part.model) || std::holds_alternative<Blend>(part.model))
+    in.fail(key,
+            fmt::format("must name a material that reflects or refracts and is no blend, '{}' is of type {}",
+                        part.name, type_name(part.model)));
+}
+
+}  // namespace
+
+Material load_material(json::ObjectReader& in,
+                       const Names& textures,
+                       SpectralData& spectra,
+                       const Names& names,
+                       const std::vector<Material>& before) {
   Material material;
   material.name = in.text("name");
-  const MaterialEntry entry{in, textures, spectra};
+  const MaterialEntry entry{in, textures, spectra, names, before};
   material.model = load_kind<MaterialModel>(in, entry);
+  if (const auto* blend = std::get_if<Blend>(&material.model)) {
+    check_part(in, "first", blend->parts[0], before);
+    check_part(in, "second", blend->parts[1], before);
+  }
   material.detail = load_surface_detail(in, textures);
   in.finish();
   return material;

@@ -1,10 +1,13 @@
 #pragma once
 
+#include "scene/materials/anisotropic_ggx.h"
+#include "scene/materials/blend.h"
 #include "scene/materials/conductor.h"
 #include "scene/materials/dielectric.h"
 #include "scene/materials/emission.h"
 #include "scene/materials/fluorescent.h"
 #include "scene/materials/ggx.h"
+#include "scene/materials/ggx_lambert.h"
 #include "scene/materials/glass.h"
 #include "scene/materials/lambert.h"
 #include "scene/materials/metal.h"
@@ -12,9 +15,11 @@
 #include "scene/materials/mirror.h"
 #include "scene/materials/oren_nayar.h"
 #include "scene/materials/phong.h"
+#include "scene/materials/plastic.h"
 #include "scene/materials/polariser.h"
 #include "scene/materials/retarder.h"
 #include "scene/materials/rough_glass.h"
+#include "scene/materials/varying_ggx.h"
 #include "scene/surface_detail.h"
 
 #include <optional>
@@ -43,7 +48,12 @@ using MaterialModel = MaterialVariant<Lambert,
                                       Fluorescent,
                                       Metal,
                                       MetallicRoughness,
-                                      Phong>;
+                                      Phong,
+                                      Plastic,
+                                      AnisotropicGgx,
+                                      GgxLambert,
+                                      VaryingGgx,
+                                      Blend>;
 
 struct Material {
   std::string name;
@@ -65,6 +75,11 @@ std::vector<TextureUse> texture_uses(const Material& material);
 const std::optional<SpectrumUse>& spectrum_of(const MaterialModel& model);
 
 /// One entry of "materials". InputError at the key that is wrong.
-Material load_material(json::ObjectReader& in, const Names& textures, SpectralData& spectra);
+/// `before` are those that stand before it, of which `names` are.
+Material load_material(json::ObjectReader& in,
+                       const Names& textures,
+                       SpectralData& spectra,
+                       const Names& names,
+                       const std::vector<Material>& before);
 
 }  // namespace orbs::scene

@@ -20,6 +20,9 @@ std::set<int> visible_materials(const Scene& scene) {
   for (const auto& sphere : scene.spheres) visible.insert(sphere.material);
   for (const auto& shape : scene.shapes)
     for_each_leaf(shape, shape.material, [&](const Shape&, int material) { visible.insert(material); });
+  for (const int material : std::set<int>(visible))
+    if (const auto* blend = std::get_if<Blend>(&material_at(scene, material).model))
+      for (const auto& part : blend->parts) visible.insert(part.material);
   return visible;
 }
 

@@ -129,7 +129,8 @@ struct Scene {
 /// The material that an instance shows where its mesh has `material`.
 int remapped(const Instance& instance, int material);
 
-/// Indices of the materials that an instance or a shape shows, remap lists applied.
+/// Indices of the materials that an instance or a shape shows, remap lists applied, and of the parts of
+/// blends among them.
 std::set<int> visible_materials(const Scene& scene);
 
 /// "light 'key'", or "light 2" for the one at that place of the file when it has no name.

@@ -35,6 +35,23 @@ Boundary<1> filmed(std::complex<float> index) {
 // Reflects nearly everything, so that losses are due to masking.
 const std::complex<float> kSilver{0.06F, 3.6F};
 
+PlasticMaterial plastic(float alpha, bool is_nonlinear) {
+  return {.reflectance = {}, .is_nonlinear = is_nonlinear, .coat = make_coat(1.5F, alpha)};
+}
+
+SmoothPlasticBsdf<Rgb> smooth_plastic(Rgb reflectance, bool is_nonlinear = false) {
+  const auto material = plastic(0, is_nonlinear);
+  return {plastic_base(material, reflectance), material.coat.eta};
+}
+
+RoughPlasticBsdf<Rgb> rough_plastic(Rgb reflectance) {
+  static const auto kMaterial = plastic(0.3F, true);
+  return {plastic_base(kMaterial, reflectance),
+          kMaterial.coat.eta,
+          {.alpha = kMaterial.coat.alpha},
+          kMaterial.coat.entering.data()};
+}
+
 std::vector<NamedBsdf> smooth_enough_to_integrate() {
   return {{"lambert", LambertBsdf<Rgb>{kWhite}},
           {"oren_nayar", make_oren_nayar(kWhite, 0.5F)},
@@ -42,6 +59,10 @@ std::vector<NamedBsdf> smooth_enough_to_integrate() {
           {"ggx 0.8", GgxBsdf<Rgb>{kWhite, 0.8F}},
           {"metal 0.5", MetalBsdf<Rgb>{{0.9F, 0.5F, 0.2F}, 0.5F}},
           {"phong 20", PhongBsdf<Rgb>{kWhite, 20}},
+          {"rough plastic", rough_plastic(kWhite)},
+          {"anisotropic", AnisotropicGgxBsdf<Rgb>{kWhite, {0.2F, 0.5F}, {0.8F, 0.6F}, true}},
+          {"anisotropic, separable", AnisotropicGgxBsdf<Rgb>{kWhite, {0.6F, 0.3F}, {0.6F, -0.8F}, false}},
+          {"mix", GgxLambertBsdf<Rgb>{{{0.6F, 0.6F, 0.6F}, 0.3F}, {0.4F, 0.4F, 0.4F}, 0.6F}},
           {"plastic-like", MetallicRoughnessBsdf<Rgb>{{0.7F, 0.4F, 0.1F}, 0.2F, 0.3F}},
           {"rough glass into", RoughGlassBsdf<Rgb>{kWhite, 1.5F, 0.4F}},
           {"rough glass out of", RoughGlassBsdf<Rgb>{kWhite, 1 / 1.5F, 0.4F}},
@@ -140,6 +161,58 @@ TEST(Bsdf, PhongReflectsItsShareAndNoMore) {
   EXPECT_NEAR(albedo(10, 1), 1, 1e-3);
   EXPECT_NEAR(albedo(10, 0.5F), 0.50474, 2e-3);
   EXPECT_NEAR(albedo(50, 0.2F), 0.20472, 2e-3);
+}
+
+// Along the axis its slopes are those of one roughness, across it those of the other; with equal ones it is
+// ggx.
+TEST(Bsdf, AnisotropicMicrofacetsHaveTwoRoughnesses) {
+  const Vec2f axis{0.8F, 0.6F};
+  const AnisotropicGgxBsdf<Rgb> brushed{kWhite, {0.2F, 0.5F}, axis, true};
+  const float sine = std::sin(0.3F);
+  const float cosine = std::cos(0.3F);
+  const auto mirrored = [&](Vec2f d) {
+    return evaluate(brushed, {0, 0, 1}, Vec3f{d.x * sine, d.y * sine, cosine}).pdf;
+  };
+  const auto isotropic = [&](float alpha) {
+    const GgxBsdf<Rgb> ggx{kWhite, alpha};
+    return evaluate(ggx, Vec3f{0, 0, 1}, Vec3f{sine, 0, cosine}).pdf;
+  };
+  // D differs by alpha_x alpha_y for alpha squared.
+  EXPECT_NEAR(mirrored(axis), isotropic(0.2F) * 0.2F / 0.5F, 1e-5);
+  EXPECT_NEAR(mirrored({-0.6F, 0.8F}), isotropic(0.5F) * 0.5F / 0.2F, 1e-5);
+  for (const Vec3f wo : kViews) {
+    const Vec3f wi = direction(0.6F, 2.1F);
+    EXPECT_NEAR(evaluate(AnisotropicGgxBsdf<Rgb>{kWhite, {0.4F, 0.4F}, axis, true}, wo, wi).f_cos.x,
+                evaluate(GgxBsdf<Rgb>{kWhite, 0.4F}, wo, wi).f_cos.x, 1e-6);
+  }
+}
+
+// The mirror of smooth plastic is no part of its density: what is left is the share of the base. White shows
+// all that arrives.
+TEST(Bsdf, SmoothPlasticIsAMirrorAndABase) {
+  for (const bool is_nonlinear : {false, true})
+    for (const Vec3f wo : kViews) {
+      const TestedBsdf bsdf = smooth_plastic(kWhite, is_nonlinear);
+      double mirrors = 0;
+      double weight = 0;
+      constexpr int kSamples = 40000;
+      for (int i = 0; i < kSamples; ++i) {
+        const auto chosen = sample(bsdf, wo, four_uniform(static_cast<std::uint64_t>(i)));
+        ASSERT_TRUE(chosen);
+        mirrors += chosen->pdf == 0 ? 1 : 0;
+        weight += chosen->weight.x;
+        const auto value = evaluate(bsdf, wo, chosen->wi);
+        if (chosen->pdf > 0) {
+          EXPECT_NEAR(value.f_cos.x, chosen->weight.x * chosen->pdf, 1e-5 * value.f_cos.x);
+        }
+      }
+      const double share = mirrors / kSamples;
+      EXPECT_NEAR(over_sphere([&](Vec3f wi) { return evaluate(bsdf, wo, wi).pdf; }), 1 - share, 4e-3);
+      EXPECT_NEAR(share, fresnel_dielectric(wo.z, 1.5F), 1e-2) << "all else leaves the base";
+      EXPECT_NEAR(weight / kSamples, 1, 2e-3);
+      const Vec3f wi = direction(0.3F, 4);
+      EXPECT_NEAR(evaluate(bsdf, wo, wi).f_cos.x / wi.z, evaluate(bsdf, wi, wo).f_cos.x / wo.z, 1e-6);
+    }
 }
 
 // f(wo, wi) = f(wi, wo) for reflection (Helmholtz).

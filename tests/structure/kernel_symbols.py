@@ -14,7 +14,9 @@ import sys
 SPECTRAL = "HeroWavelengths|spectra::"
 POLARISED = "StokesRows|ElementShape|polarisation_"
 FLUORESCENT = "reradiate|absorbed_before|sample_absorbed"
-BOUNDARY = "Boundary<|Mueller|ThinFilm|Microfacets|(Conductor|Dielectric|ThinElement)Bsdf"
+# Of all materials beyond those of ORB.S.
+BOUNDARY = ("Boundary<|Mueller|ThinFilm|Microfacets|(Conductor|Dielectric|ThinElement|Metal|Phong|Plastic|"
+            "AnisotropicGgx|GgxLambert)Bsdf")  # fmt: skip
 
 # Kernel: what it must hold, each; what it must not.
 KERNELS = {

@@ -146,6 +146,8 @@ def main() -> None:
     # Shares of rays that meet a surface.
     mask = [[255, 0, 128, 64], [0, 255, 64, 0], [128, 255, 0, 255], [255, 64, 255, 0]]
     write_png("mask.png", [[v / 255 for v in row] for row in mask], grey=True)
+    # Numbers and not colours: the roughness or the weight of stripes two texels wide.
+    write_png("grey_steps.png", [[(v / 255,) * 3 for v in (0, 0, 51, 51, 102, 102, 204, 204)]])
 
 
 if __name__ == "__main__":

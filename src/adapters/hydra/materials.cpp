@@ -11,6 +11,7 @@ namespace orbs::adapters::hydra {
 namespace {
 
 constexpr const char* kName = "HydraCore3";
+constexpr double kSmoothAlpha = 1e-4;
 constexpr double kLeastAlpha = 1e-3;  // its rough conductor takes smaller ones for smooth
 
 std::string node(int position, const char* type, const std::string& attributes, const std::string& inner) {
@@ -72,6 +73,22 @@ struct MaterialWriter {
                 value_node("alpha", m.alpha) + value_node("eta", 0.0) + value_node("k", 1.0) +
                     value_node("reflectance", m.colour));
   }
+  // The identifiers of materials are their places in the scene.
+  std::string operator()(const scene::Blend& m) const {
+    const std::string texture = m.texture ? texture_node(scene, textures, *m.texture) : "";
+    return node(position, "blend", "",
+                fmt::format("<weight val=\"{}\">{}</weight><bsdf_1 id=\"{}\"/><bsdf_2 id=\"{}\"/>", m.weight,
+                            texture, m.parts[0].material, m.parts[1].material));
+  }
+  // Takes an alpha of 1e-4 and less for smooth.
+  std::string operator()(const scene::Plastic& m) const {
+    return node(
+        position, "plastic", "",
+        value_node("reflectance", m.reflectance, m.texture ? texture_node(scene, textures, *m.texture) : "") +
+            value_node("int_ior", m.ior) + value_node("ext_ior", 1.0) +
+            value_node("alpha", m.alpha.value_or(kSmoothAlpha)) +
+            value_node("nonlinear", m.is_nonlinear ? 1.0 : 0.0));
+  }
   // Its default for the outside is air, 1.00028. The transparency of hydra_material knows no second body.
   std::string operator()(const scene::Glass& m) const {
     return node(position, "dielectric", "", value_node("int_ior", m.ior) + value_node("ext_ior", 1.0));
@@ -82,8 +99,12 @@ struct MaterialWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"C1", "D1", "D2", "D3", "D4", "D5", "D6", "N4"},
+      {"B4", "B5", "B6", "C1", "D1", "D2", "D3", "D4", "D5", "D6", "N4"},
       {{"B1", "HydraCore3's material called gltf is another model"},
+       {"B2", "the exporter writes HydraCore3's meshes without tangents"},
+       {"B3",
+        "HydraCore3's rough conductor takes one alpha from a texture by another rule: the exporter does not write it"},
+       {"B9", "the exporter writes one material of HydraCore3 for each of the scene"},
        {"B7", "HydraCore3's material called gltf has a coat with reflections inside"},
        {"B8", "HydraCore3 has no Phong reflection"},
        {"C2", "HydraCore3's cameras are perspectives"},

@@ -5,12 +5,15 @@
 #include "adapters/tinted_image.h"
 #include "adapters/xml_comment.h"
 
+#include <algorithm>
+
 namespace orbs::adapters::mitsuba {
 
 namespace {
 
 constexpr const char* kName = "Mitsuba";
 constexpr const char* kMasking = "a product of two sides";
+constexpr const char* kRaw = "<boolean name=\"raw\" value=\"true\"/>";
 constexpr double kLeastAlpha = 1e-4;  // its MicrofacetDistribution raises smaller ones to this
 
 // Reflectors are one-sided in Mitsuba and two-sided in ORB.S. Both take the side from the vertex normal.
@@ -70,6 +73,26 @@ struct MaterialLimits {
     const std::string reason = rough(m.alpha);
     return reason.empty() ? rough_glass() : reason;
   }
+  std::string operator()(const scene::AnisotropicGgx& m) const {
+    if (const auto reason = rotation_limit(name, m, kName); !reason.empty()) return reason;
+    if (const auto reason = full_mirror(); !reason.empty()) return reason;
+    if (const auto reason = alpha_limit(name, std::min(m.alpha_x, m.alpha_y), kName, kLeastAlpha);
+        !reason.empty())
+      return reason;
+    return masking_limit(name, {std::max(m.alpha_x, m.alpha_y), scene::Distribution::Ggx, m.masking}, kName,
+                         true);
+  }
+  std::string operator()(const scene::VaryingGgx& m) const {
+    if (const auto reason = full_mirror(); !reason.empty()) return reason;
+    return masking_limit(name, {m.alpha, scene::Distribution::Ggx, m.masking}, kName, true);
+  }
+  std::string operator()(const scene::GgxLambert& m) const {
+    const std::string reason = mix_limit(name, m, kName);
+    return reason.empty() ? rough(m.alpha) : reason;
+  }
+  std::string operator()(const scene::Plastic& m) const {
+    return m.alpha ? alpha_limit(name, *m.alpha, kName, kLeastAlpha) : "";
+  }
   std::string operator()(const scene::Conductor& m) const { return m.roughness ? rough(*m.roughness) : ""; }
   std::string operator()(const scene::Dielectric& m) const {
     if (!m.roughness) return "";
@@ -114,12 +137,15 @@ struct BsdfWriter {
   std::string diffuse(scene::RgbColour reflectance,
                       const std::optional<scene::SpectrumUse>& spectrum,
                       const std::optional<scene::TextureUse>& use) const {
-    if (!use)
-      return two_sided(id, fmt::format("<bsdf type=\"diffuse\">{}</bsdf>",
-                                       colours.surface("reflectance", reflectance, spectrum)));
-    const scene::Texture& texture = texture_at(colours.scene, *use);
-    return two_sided(
-        id, fmt::format("<bsdf type=\"diffuse\">{}</bsdf>", bitmap("reflectance", image, texture, "")));
+    return two_sided(id, fmt::format("<bsdf type=\"diffuse\">{}</bsdf>",
+                                     reflectance_or_image("reflectance", reflectance, spectrum, use)));
+  }
+  std::string reflectance_or_image(const char* parameter,
+                                   scene::RgbColour reflectance,
+                                   const std::optional<scene::SpectrumUse>& spectrum,
+                                   const std::optional<scene::TextureUse>& use) const {
+    if (!use) return colours.surface(parameter, reflectance, spectrum);
+    return bitmap(parameter, image, texture_at(colours.scene, *use), "");
   }
   // The parameters that both types of glass share. Mitsuba's default for the outside is air, 1.000277.
   std::string dielectric(const char* type, double inside, double outside, const std::string& more) const {
@@ -159,6 +185,48 @@ struct BsdfWriter {
   std::string operator()(const scene::RoughGlass& m) const {
     return dielectric("roughdielectric", m.ior, 1, ggx(m.alpha) + tinted(m.colour));
   }
+  // MaterialLimits let it through with quarters alone. Mitsuba's u is the direction of increasing u, too.
+  std::string operator()(const scene::AnisotropicGgx& m) const {
+    const auto [along, across] = scene::alphas_unturned(m).value();
+    return two_sided(
+        id, fmt::format("<bsdf type=\"roughconductor\"><string name=\"material\" value=\"none\"/><string "
+                        "name=\"distribution\" value=\"ggx\"/><float name=\"alpha_u\" value=\"{}\"/><float "
+                        "name=\"alpha_v\" value=\"{}\"/>{}</bsdf>",
+                        along, across, colours.surface("specular_reflectance", m.colour, m.spectrum)));
+  }
+  std::string operator()(const scene::VaryingGgx& m) const {
+    return two_sided(
+        id, fmt::format("<bsdf type=\"roughconductor\"><string name=\"material\" value=\"none\"/><string "
+                        "name=\"distribution\" value=\"ggx\"/>{}{}</bsdf>",
+                        bitmap("alpha", image, texture_at(colours.scene, *m.texture), kRaw),
+                        colours.surface("specular_reflectance", m.colour, m.spectrum)));
+  }
+  // The parts stand before the blend and have their sides themselves.
+  std::string operator()(const scene::Blend& m) const {
+    return fmt::format(
+        "<bsdf type=\"blendbsdf\" id=\"{}\">{}<ref id=\"material{}\"/><ref id=\"material{}\"/></bsdf>\n", id,
+        m.texture ? bitmap("weight", image, texture_at(colours.scene, *m.texture), kRaw)
+                  : fmt::format("<float name=\"weight\" value=\"{}\"/>", m.weight),
+        m.parts[0].material, m.parts[1].material);
+  }
+  std::string operator()(const scene::GgxLambert& m) const {
+    const auto mean = scene::mix_as_mean(m);
+    return two_sided(
+        id, fmt::format("<bsdf type=\"blendbsdf\"><float name=\"weight\" value=\"{}\"/><bsdf "
+                        "type=\"roughconductor\"><string name=\"material\" value=\"none\"/>{}{}</bsdf><bsdf "
+                        "type=\"diffuse\">{}</bsdf></bsdf>",
+                        mean.weight, ggx(m.alpha), colours.surface("specular_reflectance", mean.glossy),
+                        colours.surface("reflectance", mean.diffuse)));
+  }
+  // One-sided as its reflectors are.
+  std::string operator()(const scene::Plastic& m) const {
+    return two_sided(
+        id,
+        fmt::format("<bsdf type=\"{}\"><float name=\"int_ior\" value=\"{}\"/><float name=\"ext_ior\" "
+                    "value=\"1\"/><boolean name=\"nonlinear\" value=\"{}\"/>{}{}</bsdf>",
+                    m.alpha ? "roughplastic" : "plastic", m.ior, m.is_nonlinear, m.alpha ? ggx(*m.alpha) : "",
+                    reflectance_or_image("diffuse_reflectance", m.reflectance, m.spectrum, m.texture)));
+  }
   // Conductors are one-sided in both renderers: black from behind. Mitsuba has no index for the outside of a
   // conductor.
   std::string operator()(const scene::Conductor& m) const {
@@ -184,7 +252,8 @@ struct BsdfWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"C1", "C2", "C3", "D1", "D2", "D3", "D5", "D6", "E1", "E2", "E3", "N3", "N4", "N5"},
+      {"B2", "B3", "B4", "B5", "B6", "B9", "C1", "C2", "C3", "D1",
+       "D2", "D3", "D5", "D6", "E1", "E2", "E3", "N3", "N4", "N5"},
       {{"B1", "Mitsuba's rough metals follow n and k and are masked by the separable term"},
        {"B7", "Mitsuba's principled BSDF is another model"},
        {"B8", "Mitsuba 3 has no Phong reflection"},

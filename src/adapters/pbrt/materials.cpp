@@ -7,6 +7,7 @@
 #include "adapters/pbrt/directives.h"
 #include "adapters/tinted_image.h"
 
+#include <algorithm>
 #include <array>
 
 namespace orbs::adapters::pbrt {
@@ -26,6 +27,33 @@ struct MaterialLimits {
 
   std::string operator()(const scene::Conductor& m) const { return m.roughness ? rough(*m.roughness) : ""; }
   std::string operator()(const scene::Dielectric& m) const { return m.roughness ? rough(*m.roughness) : ""; }
+  std::string operator()(const scene::AnisotropicGgx& m) const {
+    if (const auto reason = rotation_limit(name, m, kName); !reason.empty()) return reason;
+    if (const auto reason = alpha_limit(name, std::min(m.alpha_x, m.alpha_y), kName, kLeastAlpha);
+        !reason.empty())
+      return reason;
+    if (const auto reason = masking_limit(
+            name, {std::max(m.alpha_x, m.alpha_y), scene::Distribution::Ggx, m.masking}, kName, false);
+        !reason.empty())
+      return reason;
+    return coloured(m.colour, "glossy reflector");
+  }
+  std::string operator()(const scene::VaryingGgx& m) const {
+    const auto reason = masking_limit(name, {m.alpha, scene::Distribution::Ggx, m.masking}, kName, false);
+    return reason.empty() ? coloured(m.colour, "glossy reflector") : reason;
+  }
+  std::string operator()(const scene::GgxLambert& m) const {
+    if (const auto reason = mix_limit(name, m, kName); !reason.empty()) return reason;
+    if (const auto reason = alpha_limit(name, m.alpha, kName, kLeastAlpha); !reason.empty()) return reason;
+    return coloured(scene::mixed_colours(m).glossy, "glossy reflector");
+  }
+  std::string operator()(const scene::Plastic& m) const {
+    if (m.is_nonlinear) return "";
+    return fmt::format(
+        "material '{}' is plastic in which light keeps its colour: in pbrt's coat it takes that of the base "
+        "each time",
+        name);
+  }
   std::string operator()(const scene::OrenNayar& m) const {
     return oren_nayar_limit(name, m.roughness, kName);
   }
@@ -90,9 +118,16 @@ struct MaterialWriter {
   std::string diffuse(scene::RgbColour reflectance,
                       const std::optional<scene::SpectrumUse>& spectrum,
                       const std::optional<scene::TextureUse>& use) const {
-    if (!use) return named(name, "diffuse", colours.surface("reflectance", reflectance, spectrum));
-    return textures(texture_at(colours.scene, *use)) +
-           named(name, "diffuse", fmt::format("\"texture reflectance\" \"{}-texture\"", name));
+    return textures_of(use) + named(name, "diffuse", reflectance_or_texture(reflectance, spectrum, use));
+  }
+  std::string textures_of(const std::optional<scene::TextureUse>& use) const {
+    return use ? textures(texture_at(colours.scene, *use)) : "";
+  }
+  std::string reflectance_or_texture(scene::RgbColour reflectance,
+                                     const std::optional<scene::SpectrumUse>& spectrum,
+                                     const std::optional<scene::TextureUse>& use) const {
+    return use ? fmt::format("\"texture reflectance\" \"{}-texture\"", name)
+               : colours.surface("reflectance", reflectance, spectrum);
   }
   // pbrt's v runs up from the bottom row, as ours.
   std::string textures(const scene::Texture& texture) const {
@@ -112,6 +147,39 @@ struct MaterialWriter {
            named(name, "mix",
                  fmt::format("\"string materials\" [\"{0}-none\" \"{0}-full\"] \"float amount\" {1}", name,
                              share));
+  }
+  std::string operator()(const scene::AnisotropicGgx& m) const {
+    const auto [along, across] = scene::alphas_unturned(m).value();
+    return share_of_full(
+        m.colour.x,
+        fmt::format(" \"float uroughness\" {} \"float vroughness\" {} \"bool remaproughness\" false", along,
+                    across));
+  }
+  // Of the images of the three channels, which hold the same, the first.
+  std::string operator()(const scene::VaryingGgx& m) const {
+    return textures_of(m.texture) +
+           share_of_full(
+               m.colour.x,
+               fmt::format(" \"texture roughness\" \"{}-image-r\" \"bool remaproughness\" false", name));
+  }
+  // The parts stand before the blend.
+  std::string operator()(const scene::Blend& m) const {
+    const std::string amount = m.texture ? fmt::format("\"texture amount\" \"{}-image-r\"", name)
+                                         : fmt::format("\"float amount\" {}", m.weight);
+    return textures_of(m.texture) +
+           named(name, "mix",
+                 fmt::format("\"string materials\" [\"material{}\" \"material{}\"] {}", m.parts[0].material,
+                             m.parts[1].material, amount));
+  }
+  std::string operator()(const scene::GgxLambert& m) const {
+    const auto mean = scene::mix_as_mean(m);
+    const std::string glossy = name + "-glossy";
+    const MaterialWriter part{colours, glossy, stem, material};
+    return part.share_of_full(mean.glossy.x, ggx(m.alpha)) +
+           named(name + "-diffuse", "diffuse", rgb("reflectance", mean.diffuse)) +
+           named(name, "mix",
+                 fmt::format("\"string materials\" [\"{0}-glossy\" \"{0}-diffuse\"] \"float amount\" {1}",
+                             name, mean.weight));
   }
   // Without remapping, pbrt's roughness is alpha.
   static std::string ggx(double alpha) {
@@ -136,6 +204,17 @@ struct MaterialWriter {
   std::string operator()(const scene::RoughGlass& m) const {
     return named(name, "dielectric", fmt::format("\"float eta\" {}{}", m.ior, ggx(m.alpha)));
   }
+  // Light walks at random between the boundary and the base. A walk of 100 ends long after all light that
+  // floats hold has left; the coat absorbs exp(-thickness / cos) on each way, by default 1 % at the least.
+  std::string operator()(const scene::Plastic& m) const {
+    return textures_of(m.texture) +
+           named(
+               name, "coateddiffuse",
+               reflectance_or_texture(m.reflectance, m.spectrum, m.texture) +
+                   fmt::format(
+                       " \"float eta\" {} \"float roughness\" 0 \"integer maxdepth\" 100 \"float thickness\" 1e-7",
+                       m.ior));
+  }
   // pbrt has no index for the outside of a conductor.
   std::string operator()(const scene::Conductor& m) const {
     return named(name, "conductor",
@@ -155,8 +234,10 @@ struct MaterialWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"C1", "C2", "C3", "C4", "D1", "D2", "D3", "D4", "E1", "E2", "E6", "N3", "N4", "N5"},
+      {"B2", "B3", "B4", "B6", "B9", "C1", "C2", "C3", "C4", "D1", "D2", "D3", "D4", "E1", "E2", "E6", "N3",
+       "N4", "N5"},
       {{"B1", "pbrt's metals follow n and k, not Schlick's formula"},
+       {"B5", "pbrt's rough coat is walked through at random and has another dependence on the angle"},
        {"B7", "pbrt has no material of metallic and roughness"},
        {"B8", "pbrt has no Phong reflection"},
        {"D5", "pbrt makes spectra of the colours of a sky by a model of its own"},

@@ -196,6 +196,12 @@ const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
       {"C1", "C2", "C3", "C4", "D1", "D2", "D3", "D5", "D6", "E6", "N3", "N4", "N5", "S1", "S2", "S3", "S4"},
       {{"B1", "POV-Ray has glossy highlights of light sources, no glossy reflection"},
+       {"B2", "POV-Ray has glossy highlights of light sources, no glossy reflection"},
+       {"B3", "POV-Ray has glossy highlights of light sources, no glossy reflection"},
+       {"B6", "the exporter writes one texture of POV-Ray for each material"},
+       {"B9", "POV-Ray has glossy highlights of light sources, no glossy reflection"},
+       {"B4", "POV-Ray's base under a coat lacks the Fresnel factor of the light"},
+       {"B5", "POV-Ray has no glossy reflection"},
        {"B7", "POV-Ray has no microfacets"},
        {"B8", "POV-Ray's phong is a highlight of light sources alone, without the cosine"},
        {"D4", "POV-Ray's light sources have no measured intensity distribution"},

@@ -196,7 +196,7 @@ Scene load_document(const json::Document& document,
   auto material_readers = in.objects("materials");
   for (auto& entry : material_readers) {
     materials.add(entry, "name");
-    scene.materials.push_back(load_material(entry, textures, data));
+    scene.materials.push_back(load_material(entry, textures, data, materials, scene.materials));
   }
   Names meshes("mesh");
   std::vector<Vec3d> origins;

@@ -28,7 +28,13 @@ RefractiveIndex load_outside(const MaterialEntry& entry) {
   return entry.in.has("outside") ? load_index(entry.in, "outside", entry.spectra) : spectra::constant(1);
 }
 
-double load_alpha(json::ObjectReader& in) { return in.number("alpha", {1e-4, 1.0}); }
+double load_alpha(json::ObjectReader& in, const char* key) { return in.number(key, {1e-4, 1.0}); }
+
+Masking load_masking(json::ObjectReader& in) {
+  return in.one_of_or("masking", "correlated", {"correlated", "separable"}) == "separable"
+             ? Masking::Separable
+             : Masking::Correlated;
+}
 
 std::optional<Roughness> load_roughness(const MaterialEntry& entry) {
   auto& in = entry.in;

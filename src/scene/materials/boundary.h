@@ -18,7 +18,13 @@ std::optional<Roughness> load_roughness(const MaterialEntry& entry);
 std::optional<Film> load_film(const MaterialEntry& entry);
 /// "alpha" in [1e-4, 1]: below, a lobe is narrower than float directions can resolve, and the surface is a
 /// mirror.
-double load_alpha(json::ObjectReader& in);
+double load_alpha(json::ObjectReader& in, const char* key = "alpha");
+
+/// "masking", height-correlated when absent as that of Ggx.
+Masking load_masking(json::ObjectReader& in);
+inline const char* word_of(Masking masking) {
+  return masking == Masking::Separable ? "separable" : "correlated";
+}
 
 /// The members that the functions above read.
 void write_boundary(json::Writer& out,

@@ -19,6 +19,7 @@ class Writer;
 namespace orbs::scene {
 
 class Names;
+struct Material;
 struct SpectralData;
 
 /// What a material is read from: its entry in the scene file, and what the names in it refer to.
@@ -26,6 +27,8 @@ struct MaterialEntry {
   json::ObjectReader& in;
   const Names& textures;
   SpectralData& spectra;
+  const Names& names;                   // of the materials
+  const std::vector<Material>& before;  // those that stand before it
 };
 
 /// The requirement that a material calls for by its type alone.

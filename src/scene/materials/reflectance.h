@@ -14,13 +14,18 @@
 
 namespace orbs::scene {
 
-/// "texture", when there is one. It multiplies `colour`, which must then be no spectrum: neither of the two
-/// would say how the light of a texel is spread over the wavelengths.
+/// "texture", when there is one.
+inline std::optional<TextureUse> load_texture_use(const MaterialEntry& entry) {
+  if (!entry.in.has("texture")) return std::nullopt;
+  return load_texture_use(entry.in, "texture", entry.textures);
+}
+
+/// The same where it multiplies `colour`, which must then be no spectrum: neither of the two would say how
+/// the light of a texel is spread over the wavelengths.
 inline std::optional<TextureUse> load_tinted_texture(const MaterialEntry& entry, const Colour& colour) {
-  auto& in = entry.in;
-  if (!in.has("texture")) return std::nullopt;
-  if (colour.spectrum) in.fail("texture", "goes with a colour [r, g, b], not with a spectrum");
-  return load_texture_use(in, "texture", entry.textures);
+  if (colour.spectrum && entry.in.has("texture"))
+    entry.in.fail("texture", "goes with a colour [r, g, b], not with a spectrum");
+  return load_texture_use(entry);
 }
 
 /// Whether the spectrum of a reflectance calls for Effect::Spectral; empty where there is none.

@@ -13,6 +13,11 @@ using Float4 = float __attribute__((vector_size(16)));
 inline Float4 float4(const std::array<float, 4>& v) { return Float4{v[0], v[1], v[2], v[3]}; }
 
 inline float mean_of(Float4 v) { return (v[0] + v[1] + v[2] + v[3]) / 4; }
+inline float mean_of(Vec3f v) { return (v.x + v.y + v.z) / 3; }
+
+/// Each channel or wavelength by itself.
+inline Float4 quotient(Float4 a, Float4 b) { return a / b; }
+inline Vec3f quotient(Vec3f a, Vec3f b) { return {a.x / b.x, a.y / b.y, a.z / b.z}; }
 
 /// A factor known at the N wavelengths of a path, in the form that the path carries: RGB paths (N = 1)
 /// use the one value for all three channels.

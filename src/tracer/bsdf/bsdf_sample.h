@@ -49,4 +49,8 @@ struct BsdfList {};
 /// What lobe_alpha() says of materials without a specular or glossy lobe.
 constexpr float kNoLobe = std::numeric_limits<float>::infinity();
 
+/// What it says of materials that have a delta function beside or in place of other parts: no lobe is
+/// narrower.
+constexpr float kPartlyDelta = std::numeric_limits<float>::min();
+
 }  // namespace orbs::tracer

@@ -1,10 +1,13 @@
 #pragma once
 
+#include "tracer/bsdf/anisotropic_ggx.h"
+#include "tracer/bsdf/blend.h"
 #include "tracer/bsdf/conductor.h"
 #include "tracer/bsdf/dielectric.h"
 #include "tracer/bsdf/emission.h"
 #include "tracer/bsdf/fluorescent.h"
 #include "tracer/bsdf/ggx.h"
+#include "tracer/bsdf/ggx_lambert.h"
 #include "tracer/bsdf/glass.h"
 #include "tracer/bsdf/lambert.h"
 #include "tracer/bsdf/metal.h"
@@ -12,8 +15,10 @@
 #include "tracer/bsdf/mirror.h"
 #include "tracer/bsdf/oren_nayar.h"
 #include "tracer/bsdf/phong.h"
+#include "tracer/bsdf/plastic.h"
 #include "tracer/bsdf/rough_glass.h"
 #include "tracer/bsdf/thin_element.h"
+#include "tracer/bsdf/varying_ggx.h"
 
 #include <type_traits>
 #include <utility>
@@ -48,7 +53,12 @@ using MaterialModel = std::variant<LambertMaterial,
                                    FluorescentMaterial,
                                    MetalMaterial,
                                    MetallicRoughnessMaterial,
-                                   PhongMaterial>;
+                                   PhongMaterial,
+                                   PlasticMaterial,
+                                   AnisotropicGgxMaterial,
+                                   GgxLambertMaterial,
+                                   VaryingGgxMaterial,
+                                   BlendMaterial>;
 
 template <typename... A, typename... B>
 BsdfList<A..., B...> operator+(BsdfList<A...>, BsdfList<B...>);

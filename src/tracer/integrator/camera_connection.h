@@ -34,7 +34,8 @@ std::optional<CameraConnection<T>> scattered_to_camera(const World& world,
                                                        const LightPath<T>& path,
                                                        const SurfaceHit& surface,
                                                        Vec3f to_camera,
-                                                       float importance) {
+                                                       float importance,
+                                                       SampleBlock block) {
   const SurfacePoint& point = surface.point;
   const Vec3f to_light = -path.ray.direction;
   const float side = dot(point.shading_normal, to_camera);
@@ -49,8 +50,8 @@ std::optional<CameraConnection<T>> scattered_to_camera(const World& world,
   out.throughput = path.throughput;
   auto lambda = path.lambda;  // dispersion may end wavelengths for this connection, and not for the path
   typename T::Bsdf bsdf;
-  // No sample block: only fluorescence draws random numbers here, and it has no light paths.
-  make_bsdf<T>(bsdf, {world, surface, side > 0, lambda, out.throughput, {}});
+  make_bsdf<T>(bsdf, {world, surface, side > 0, lambda, out.throughput, block, path.index,
+                      static_cast<std::uint32_t>(path.scatterings)});
   const auto value = evaluate(bsdf, wo, wi);
   if (!(value.pdf > 0) || (surface.material.is_near_specular && !(value.pdf < kTailPdf))) return std::nullopt;
   out.events = path.events;
@@ -68,11 +69,12 @@ void connect_to_camera(LightPathBatch<T>& batch,
                        const World& world,
                        const Camera& camera,
                        const LightPath<T>& path,
+                       SampleBlock block,
                        const SurfaceHit& surface) {
   const CameraProjection projection = project(camera, surface.point.position);
   if (!(projection.importance > 0)) return;
   const Vec3f to_camera = normalised(projection.viewpoint - surface.point.position);
-  const auto found = scattered_to_camera(world, path, surface, to_camera, projection.importance);
+  const auto found = scattered_to_camera(world, path, surface, to_camera, projection.importance, block);
   if (!found) return;
   batch.camera_rays.push_back({found->origin, projection.viewpoint - found->origin, 1});
   batch.camera_payloads.push_back(
@@ -94,6 +96,7 @@ void connect_to_camera_by_mirrors(LightPathBatch<T>& batch,
                                   const World& world,
                                   const Camera& camera,
                                   std::uint32_t index,
+                                  SampleBlock block,
                                   const SurfaceHit& surface) {
   const LightPath<T>& path = batch.paths[index];
   if (path.scatterings + 2 > world.trace_depth) return;  // this event and the mirror
@@ -108,7 +111,7 @@ void connect_to_camera_by_mirrors(LightPathBatch<T>& batch,
     const Vec3f viewpoint = viewpoint_before(plane, camera, projection);
     if (!is_in_front(plane, viewpoint)) continue;
     const Vec3f to_camera = normalised(projection.viewpoint - surface.point.position);
-    auto found = scattered_to_camera(world, path, surface, to_camera, projection.importance);
+    auto found = scattered_to_camera(world, path, surface, to_camera, projection.importance, block);
     if (!found) continue;
     found->events.prepend(Event::Specular, false);
     batch.mirror_rays.push_back({found->origin, to_camera});

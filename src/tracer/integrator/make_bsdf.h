@@ -30,13 +30,21 @@ struct ShadingContext {
 
   Value reflectance(const Colour& colour) const { return T::reflectance(world, colour, lambda); }
 
-  Value reflectance(const TexturedColour& textured) const {
-    Colour colour = textured.colour;
-    if (textured.texture >= 0)
-      colour.rgb *= lookup(nth(world.textures, textured.texture),
-                           apply(textured.uv, texture_coordinates(world, surface)));
+  /// The colour times the texture, if there is one: three channels.
+  Vec3f textured(const TexturedColour& textured) const {
+    if (textured.texture < 0) return textured.colour.rgb;
+    return textured.colour.rgb * lookup(nth(world.textures, textured.texture),
+                                        apply(textured.uv, texture_coordinates(world, surface)));
+  }
+
+  Value reflectance(const TexturedColour& of) const {
+    Colour colour = of.colour;
+    if (of.texture >= 0) colour.rgb = textured(of);
     return reflectance(colour);
   }
+
+  /// See tracer::direction_of_u.
+  Vec3f direction_of_u() const { return tracer::direction_of_u(world, surface); }
 
   /// Vacuum wavelengths.
   std::array<float, kWavelengths> wavelengths_nm() const { return T::wavelengths_nm(lambda); }

@@ -83,8 +83,8 @@ bool shade_light_path_hit(
       at_lens = seen_through(world.camera, u[0], u[1]);
     }
     const Camera& camera = at_lens ? *at_lens : world.camera;
-    connect_to_camera<T>(batch, world, camera, path, {point, material, hit});
-    connect_to_camera_by_mirrors<T>(batch, world, camera, index, {point, material, hit});
+    connect_to_camera<T>(batch, world, camera, path, block, {point, material, hit});
+    connect_to_camera_by_mirrors<T>(batch, world, camera, index, block, {point, material, hit});
   }
   return scatter_light<T>(path, block, world, {point, material, hit});
 }

@@ -14,10 +14,12 @@ enum class SampleDimension : std::uint32_t {
   Light,
   Scatter,
   MirroredLight,
-  Wavelength,             // at bounce 0 alone
-  Time = 9,               // at bounce 0 alone; 6 to 8 are sets of bounce 1
-  Lens = 13,              // at bounce 0 alone, of cameras that have one; 10 to 12 are sets of bounce 2
-  Reradiation = 1U << 31  // the four of each bounce are taken; this lies beyond those of 2^29 bounces
+  Wavelength,  // at bounce 0 alone
+  Time = 9,    // at bounce 0 alone; 6 to 8 are sets of bounce 1
+  Lens = 13,   // at bounce 0 alone, of cameras that have one; 10 to 12 are sets of bounce 2
+  // The four of each bounce are taken; these lie beyond those of 2^29 bounces.
+  Reradiation = 1U << 31,
+  Blend = (1U << 31) + 1
 };
 
 }  // namespace orbs::tracer

@@ -60,6 +60,7 @@ int pair_of(SampleDimension dimension) {
     case SampleDimension::LightPick:
     case SampleDimension::Wavelength:
     case SampleDimension::Time:
+    case SampleDimension::Blend:
     case SampleDimension::Reradiation:
       break;
   }

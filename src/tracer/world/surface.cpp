@@ -209,6 +209,27 @@ Vec2f texture_coordinates(const World& world, const SurfaceHit& surface) {
   return {b0 * t0.x + b1 * t1.x + b2 * t2.x, b0 * t0.y + b1 * t1.y + b2 * t2.y};
 }
 
+Vec3f direction_of_u(const World& world, const SurfaceHit& surface) {
+  const RenderObject& object = world.objects[surface.hit.object];
+  if (object.kind == ObjectKind::Sphere) {
+    const Vec3f n = surface.point.geometric_normal;
+    return {n.z, 0, -n.x};  // u turns about y, from z to x
+  }
+  if (object.kind != ObjectKind::WorldMesh && object.kind != ObjectKind::InstancedMesh) return {};
+  const TriangleMesh& mesh = world.meshes[object.mesh];
+  const auto& corners = mesh.triangles[surface.hit.primitive];
+  const TriangleCache& triangle = mesh.triangle_cache[surface.hit.primitive];
+  const Vec2f t0 = mesh.uvs[corners[0]];
+  const Vec2f t1 = mesh.uvs[corners[1]];
+  const Vec2f t2 = mesh.uvs[corners[2]];
+  const float v1 = t1.y - t0.y;
+  const float v2 = t2.y - t0.y;
+  // The edges are e = p_u u + p_v v. Their determinant counts by its sign alone.
+  const float sign = (t1.x - t0.x) * v2 < (t2.x - t0.x) * v1 ? -1 : 1;
+  const Vec3f along = (triangle.edge1 * v2 - triangle.edge2 * v1) * sign;
+  return object.kind == ObjectKind::WorldMesh ? along : apply_to_direction(object.to_world, along);
+}
+
 Radiance emitted_radiance(const World& world, const EmissionMaterial& material, Vec2f uv) {
   const auto& [colour, texture, uv_map] = material.radiance;
   if (texture < 0) return {colour.rgb, colour.spectrum};

@@ -28,6 +28,10 @@ struct SurfaceHit {
 /// Texture coordinates given by the mesh; those of a sphere are defined at scene::Sphere.
 Vec2f texture_coordinates(const World& world, const SurfaceHit& surface);
 
+/// The direction in the world in which the texture coordinate u grows at the surface, of any length; zero
+/// where the coordinates have none, and on surfaces that are neither meshes at rest nor spheres.
+Vec3f direction_of_u(const World& world, const SurfaceHit& surface);
+
 /// Radiance that an emissive material emits at these texture coordinates, to which its UV matrix is applied
 /// already.
 Radiance emitted_radiance(const World& world, const EmissionMaterial& material, Vec2f uv);

@@ -1,5 +1,6 @@
 // Images that follow from a formula, and the closed forms behind them.
 #include "analytic/analytic_image.h"
+#include "analytic/plastic.h"
 #include "analytic/reflectance.h"
 
 #include <cmath>
@@ -82,6 +83,35 @@ TEST(AnalyticImage, AlbedosOfPhongAreTheTabulated) {
   EXPECT_NEAR(albedo(1, 0.2), 0.42470, 2e-5);
   EXPECT_NEAR(albedo(10, 0.5), 0.50474, 2e-5);
   EXPECT_NEAR(albedo(50, 0.2), 0.20472, 2e-5);
+}
+
+// F + (1 - F) rho by Fresnel's formula; with reflections inside that take the base's colour less. Computed
+// once more by quadrature in another language.
+TEST(AnalyticImage, AlbedosOfSmoothPlasticAreTheTabulated) {
+  EXPECT_NEAR(analytic::fresnel_of_diffuse_light(1.5), 0.0917780, 1e-7);
+  EXPECT_NEAR(analytic::fresnel_of_diffuse_light(1.9), 0.1474755, 1e-7);
+  const analytic::PlasticAlbedo linear({0.5, 1.5, false, 0});
+  EXPECT_NEAR(linear.reflected_inside(), 0.5963458, 1e-7);
+  EXPECT_NEAR(linear.at(0.1), 0.785796, 1e-6);
+  EXPECT_NEAR(linear.at(0.7071), 0.525120, 1e-6);
+  const analytic::PlasticAlbedo nonlinear({0.5, 1.5, true, 0});
+  EXPECT_NEAR(nonlinear.at(0.3), 0.435585, 1e-6);
+  EXPECT_NEAR(nonlinear.at(1), 0.316071, 1e-6);
+  for (const bool is_nonlinear : {false, true})
+    for (const double cosine : {0.05, 0.5, 1.0})
+      EXPECT_NEAR(analytic::PlasticAlbedo({1, 1.5, is_nonlinear, 0}).at(cosine), 1, 1e-9)
+          << "white stays white";
+}
+
+TEST(AnalyticImage, AlbedosOfRoughPlasticAreTheTabulated) {
+  const analytic::PlasticAlbedo linear({0.5, 1.5, false, 0.1});
+  EXPECT_NEAR(linear.reflected_inside(), 0.56002, 5e-5);
+  EXPECT_NEAR(linear.at(0.1), 0.58718, 1e-4);
+  EXPECT_NEAR(linear.at(0.5), 0.50396, 1e-4);
+  EXPECT_NEAR(linear.at(1), 0.48210, 1e-4);
+  const analytic::PlasticAlbedo wide({0.5, 1.5, false, 0.3});
+  EXPECT_NEAR(wide.at(0.3), 0.37460, 1e-4);
+  EXPECT_NEAR(wide.at(0.7071), 0.36603, 1e-4);
 }
 
 // Of reflectance 1 a metal is the ggx without a Fresnel factor. Of reflectance 0 a smooth one would show
