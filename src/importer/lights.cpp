@@ -76,7 +76,7 @@ void add_lights(Import& import, const std::vector<PlacedNode>& nodes) {
 
 void add_sky(Import& import, const std::optional<double>& radiance) {
   if (radiance) {
-    import.scene.environment = {*radiance, *radiance, *radiance};
+    import.scene.environment.radiance = {*radiance, *radiance, *radiance};
     return;
   }
   const auto& materials = import.scene.materials;
@@ -89,7 +89,7 @@ void add_sky(Import& import, const std::optional<double>& radiance) {
   constexpr double kSun = 1.8;
   const auto frame = scene::camera_frame(import.scene.camera);
   const Vec3d along = frame.forward + frame.right * 0.6 - frame.up * 0.8;
-  import.scene.environment = {kSky, kSky, kSky};
+  import.scene.environment.radiance = {kSky, kSky, kSky};
   import.scene.lights.push_back({.name = "default",
                                  .shape = scene::DirectionalShape{},
                                  .radiance = {kSun, kSun, kSun},

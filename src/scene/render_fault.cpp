@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 namespace orbs::scene {
@@ -48,31 +49,32 @@ void turn_environment(Scene& scene, const Mat4& turn) {
   scene.environment.map->matrix = turn * scene.environment.map->matrix;
 }
 
-// The members by which models are rough. At 0 and 1 a root changes nothing.
-bool has_roughness_between(const MaterialModel& model) {
-  const auto is_between = [](double value) { return value > 0 && value < 1; };
+// The members by which a model is rough everywhere alike.
+std::vector<double*> roughness_of(MaterialModel& model) {
   return std::visit(
-      [&](const auto& m) {
-        if constexpr (requires { m.alpha; })
-          return is_between(m.alpha);
-        else if constexpr (requires { m.metallic; })
-          return is_between(m.roughness);
-        else
-          return false;
+      [](auto& m) -> std::vector<double*> {
+        using Model = std::decay_t<decltype(m)>;
+        if constexpr (std::is_same_v<Model, MetallicRoughness>) return {&m.roughness};
+        if constexpr (std::is_same_v<Model, AnisotropicGgx>) return {&m.alpha_x, &m.alpha_y};
+        if constexpr (std::is_same_v<Model, Ggx> || std::is_same_v<Model, RoughGlass> ||
+                      std::is_same_v<Model, Metal> || std::is_same_v<Model, GgxLambert>)
+          return {&m.alpha};
+        if constexpr (std::is_same_v<Model, Plastic>)
+          if (m.alpha) return {&*m.alpha};
+        return {};
       },
       model);
 }
 
+// At 1 a root changes nothing.
+bool has_roughness_below_one(MaterialModel model) {
+  const auto all = roughness_of(model);
+  return std::any_of(all.begin(), all.end(), [](const double* alpha) { return *alpha < 1; });
+}
+
 void take_roots_of_roughness(Scene& scene) {
   for (auto& material : scene.materials)
-    std::visit(
-        [](auto& m) {
-          if constexpr (requires { m.alpha; })
-            m.alpha = std::sqrt(m.alpha);
-          else if constexpr (requires { m.metallic; })
-            m.roughness = std::sqrt(m.roughness);
-        },
-        material.model);
+    for (double* alpha : roughness_of(material.model)) *alpha = std::sqrt(*alpha);
 }
 
 void halve_spots(Scene& scene) {
@@ -81,6 +83,13 @@ void halve_spots(Scene& scene) {
       spot->inner_deg /= 2;
       spot->outer_deg /= 2;
     }
+}
+
+template <typename Wanted>
+bool shows(const Scene& scene, const Wanted& is_wanted) {
+  const auto shown = visible_materials(scene);
+  return std::any_of(shown.begin(), shown.end(),
+                     [&](int material) { return is_wanted(material_at(scene, material)); });
 }
 
 std::string reason_unless(bool changes, const char* reason) { return changes ? "" : reason; }
@@ -132,14 +141,9 @@ std::string why_fault_changes_nothing(const Scene& scene, RenderFault fault) {
     case RenderFault::EnvironmentQuarterTurn:
     case RenderFault::EnvironmentMirrored:
       return reason_unless(scene.environment.map.has_value(), "it has no environment map");
-    case RenderFault::RoughnessNotSquared: {
-      const auto shown = visible_materials(scene);
-      return reason_unless(std::any_of(shown.begin(), shown.end(),
-                                       [&](int material) {
-                                         return has_roughness_between(material_at(scene, material).model);
-                                       }),
+    case RenderFault::RoughnessNotSquared:
+      return reason_unless(shows(scene, [](const Material& m) { return has_roughness_below_one(m.model); }),
                            "it shows no rough surface");
-    }
     case RenderFault::SpotFullAngles:
       return reason_unless(
           std::any_of(scene.lights.begin(), scene.lights.end(),
@@ -147,6 +151,12 @@ std::string why_fault_changes_nothing(const Scene& scene, RenderFault fault) {
           "it has no spot");
     case RenderFault::LensDiameter:
       return reason_unless(has_lens(scene.camera), "its camera has no lens");
+    case RenderFault::NormalMapFlipped:
+      return reason_unless(shows(scene, [](const Material& m) { return m.detail.normal_map.has_value(); }),
+                           "it shows no normal map");
+    case RenderFault::OpacityInverted:
+      return reason_unless(shows(scene, [](const Material& m) { return lets_rays_pass(m.detail); }),
+                           "all that it shows is opaque");
   }
   return "";
 }

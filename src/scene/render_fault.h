@@ -22,7 +22,9 @@ enum class RenderFault {
   EnvironmentMirrored,
   RoughnessNotSquared,
   SpotFullAngles,
-  LensDiameter
+  LensDiameter,
+  NormalMapFlipped,
+  OpacityInverted
 };
 
 struct RenderFaultInfo {
@@ -50,7 +52,11 @@ inline constexpr std::array kRenderFaults{
     RenderFaultInfo{RenderFault::SpotFullAngles, "spot-full-angles",
                     "the half angles of spots are taken for full ones: cones are twice as narrow"},
     RenderFaultInfo{RenderFault::LensDiameter, "lens-diameter",
-                    "the radius of the lens is taken for its diameter: half the blur"}};
+                    "the radius of the lens is taken for its diameter: half the blur"},
+    RenderFaultInfo{RenderFault::NormalMapFlipped, "normal-map-flipped",
+                    "the green of normal maps points towards falling v"},
+    RenderFaultInfo{RenderFault::OpacityInverted, "opacity-inverted",
+                    "what should let rays pass is opaque, and the reverse"}};
 
 std::string_view name_of(RenderFault fault);
 std::vector<std::string> render_fault_names();

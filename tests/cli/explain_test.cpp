@@ -14,7 +14,7 @@ namespace {
 
 std::string renderer(const std::string& name, const std::string& fault) {
   return fmt::format(
-      R"entry({{"name": "{}", "executable": "{{build}}/orbs-tracer", "declares": "G5/M8/L4/A4/B1/C5/D6/S7",
+      R"entry({{"name": "{}", "executable": "{{build}}/orbs-tracer", "declares": "G5/M8/L4/A4/B1/C5/D6/N5/S7",
   "command": ["{{executable}}", "{{scene}}", "-o", "{{output}}", "--spp", "{{spp}}", "--seed", "{{seed}}",
               "--threads", "{{threads}}"{}]}})entry",
       name, fault.empty() ? "" : fmt::format(R"(, "--fault", "{}")", fault));
@@ -22,8 +22,9 @@ std::string renderer(const std::string& name, const std::string& fault) {
 
 void write_configuration(const Sandbox& sandbox) {
   std::string entries = renderer("orbs", "");
-  for (const char* fault : {"environment-quarter-turn", "environment-mirrored", "spot-full-angles",
-                            "lens-diameter", "roughness-not-squared"})
+  for (const char* fault :
+       {"environment-quarter-turn", "environment-mirrored", "spot-full-angles", "lens-diameter",
+        "roughness-not-squared", "normal-map-flipped", "opacity-inverted"})
     entries += ",\n" + renderer(fault, fault);
   sandbox.write("configuration.json", fmt::format(R"({{"format": "orbs-configuration/1", "stands_alone": true,
 "defaults": {{"suite": "everyday"}}, "suites": [{{"name": "everyday", "cases": "{0}/data/cases/everyday",
@@ -46,7 +47,8 @@ TEST(Explain, NamesTheMistakeThatMakesTheSameImage) {
   for (const auto& [mistake, scene] :
        {std::pair{"environment-quarter-turn", "d5-ball"}, std::pair{"environment-mirrored", "d5-turned"},
         std::pair{"spot-full-angles", "d2-table"}, std::pair{"lens-diameter", "c1-plane"},
-        std::pair{"roughness-not-squared", "metal-ball-02"}}) {
+        std::pair{"roughness-not-squared", "metal-ball-02"}, std::pair{"normal-map-flipped", "n1-above"},
+        std::pair{"opacity-inverted", "n3-mask"}}) {
     const auto text = explained(sandbox, mistake, scene);
     EXPECT_NE(text.find(fmt::format("{}  {}  {}: ", mistake, scene, mistake)), std::string::npos) << text;
   }

@@ -22,7 +22,8 @@ float share_at(const Openings& openings, const MaterialOpacity& opacity, const H
   const float b0 = 1 - b1 - b2;
   const Vec2f uv{b0 * t0.x + b1 * t1.x + b2 * t2.x, b0 * t0.y + b1 * t1.y + b2 * t2.y};
   const Vec3f texel = lookup(nth(openings.textures, opacity.texture), apply(opacity.uv, uv));
-  return opacity.share * std::max({texel.x, texel.y, texel.z});
+  const float white = std::max({texel.x, texel.y, texel.z});
+  return opacity.at_black * (1 - white) + opacity.share * white;
 }
 
 // Even in [0, 1).

@@ -10,7 +10,8 @@ namespace orbs::tracer {
 
 /// The share of the rays that meet a surface, times the largest channel of a texture if it has one.
 struct MaterialOpacity {
-  float share = 1;
+  float share = 1;  // of a white texel, or without a texture
+  float at_black = 0;
   int texture = -1;  // index into World::textures
   UvMap uv{};
 };

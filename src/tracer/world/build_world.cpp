@@ -54,7 +54,7 @@ void add_materials(const scene::Scene& scene, const SceneColours& colours, World
 }
 
 // Empty unless something that is shown has them: what follows is not executed then.
-void add_details(const scene::Scene& scene, World& world) {
+void add_details(const scene::Scene& scene, std::optional<scene::RenderFault> fault, World& world) {
   bool has_openings = false;
   bool has_normals = false;
   for (const int index : scene::visible_materials(scene)) {
@@ -72,11 +72,17 @@ void add_details(const scene::Scene& scene, World& world) {
         opacity.texture = use->texture;
         opacity.uv = map_of(*use);
       }
+      if (fault == scene::RenderFault::OpacityInverted && lets_rays_pass(detail))
+        opacity = {1 - opacity.share, 1 - opacity.at_black, opacity.texture, opacity.uv};
     }
     if (!has_normals) continue;
     NormalDetail& turned = world.normal_details.emplace_back();
-    if (const auto& map = detail.normal_map)
-      turned.normal = {map->texture.texture, map_of(map->texture), static_cast<float>(map->strength)};
+    if (const auto& map = detail.normal_map) {
+      const auto strength = static_cast<float>(map->strength);
+      const bool is_flipped = fault == scene::RenderFault::NormalMapFlipped;
+      turned.normal = {
+          map->texture.texture, map_of(map->texture), {strength, is_flipped ? -strength : strength}};
+    }
     if (const auto& map = detail.bump_map)
       turned.bump = {map->texture.texture, map_of(map->texture), static_cast<float>(map->height_m)};
   }
@@ -140,7 +146,7 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
     world.textures.push_back(load_texels(
         texture, settings.fault == scene::RenderFault::RawTextures ? Texels::AsStored : Texels::Linear));
   add_materials(scene, colours, world);
-  add_details(scene, world);
+  add_details(scene, settings.fault, world);
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const scene::VastObjects is_vast =
       scene::vast_objects(scene, has_fault(NumericFault::VastInSingle) ? kNone : kVast);

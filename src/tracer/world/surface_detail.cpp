@@ -41,7 +41,8 @@ std::optional<Vec3f> mapped_normal(const World& world, const NormalTexture& map,
   const auto frame = tangent_frame(n, place->directions);
   if (!frame) return std::nullopt;
   const Vec3f texel = lookup(nth(world.textures, map.texture), place->uv) * 2 - Vec3f{1, 1, 1};
-  return frame->along_u * (map.strength * texel.x) + frame->along_v * (map.strength * texel.y) + n * texel.z;
+  return frame->along_u * (map.strength.x * texel.x) + frame->along_v * (map.strength.y * texel.y) +
+         n * texel.z;
 }
 
 // n less the gradient of the height along the surface, times the area that one of u times one of v covers:

@@ -27,7 +27,7 @@ namespace orbs::tracer {
 struct NormalTexture {
   int texture = -1;  // index into World::textures; -1: none
   UvMap uv{};
-  float strength = 1;
+  Vec2f strength{1, 1};  // along u and v
 };
 
 /// A bump map, likewise: metres above the surface where its red is 1.

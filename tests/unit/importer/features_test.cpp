@@ -199,7 +199,7 @@ TEST(ImportedLights, ASkyIsThatOfTheUserAlone) {
   importer::View view;
   view.sky = 0.5;
   const auto [scene, report] = ImportFolder().import(triangle(), view);
-  EXPECT_EQ(scene.environment, (scene::RgbColour{0.5, 0.5, 0.5}));
+  EXPECT_EQ(scene.environment.radiance, (scene::RgbColour{0.5, 0.5, 0.5}));
   EXPECT_TRUE(scene.lights.empty());
   EXPECT_EQ(report.choices().size(), 1u);
 }
@@ -223,7 +223,7 @@ TEST(ImportedLights, ShineAlongMinusZWithTheirIntensity) {
   EXPECT_NEAR(spot.inner_deg, 0.2 * 180 / std::numbers::pi, 1e-9);
   EXPECT_NEAR(spot.outer_deg, 0.4 * 180 / std::numbers::pi, 1e-9);
   EXPECT_EQ(transform_point(imported.scene.lights[1].matrix, {}), (Vec3d{0, 2, 0}));
-  EXPECT_EQ(imported.scene.environment, scene::RgbColour{});
+  EXPECT_EQ(imported.scene.environment.radiance, scene::RgbColour{});
   EXPECT_TRUE(imported.names("how spots fall off"));
   EXPECT_TRUE(imported.names("the range beyond which"));
 }
