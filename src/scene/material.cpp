@@ -55,6 +55,11 @@ void check_part(const json::ObjectReader& in,
     in.fail(key,
             fmt::format("must name a material that reflects or refracts and is no blend, '{}' is of type {}",
                         part.name, type_name(part.model)));
+  if (part.detail != SurfaceDetail{})
+    in.fail(key,
+            fmt::format("must name a material without opacity and maps of normals, which are those of the "
+                        "blend: '{}' has its own",
+                        part.name));
 }
 
 }  // namespace

@@ -51,3 +51,12 @@ TEST(Blend, HasNoPartsThatEmitOrBlend) {
                 .find("'e' is of type emission"),
             std::string::npos);
 }
+
+// They would say nothing: the blend lets rays pass, and turns its normals, by its own.
+TEST(Blend, HasNoPartsWithOpacityOrNormalMaps) {
+  EXPECT_NE(complaint(R"({"name": "m", "type": "lambert", "reflectance": [0.5, 0.5, 0.5], "opacity": 0.5}, )"
+                      R"({"name": "n", "type": "lambert", "reflectance": [0.5, 0.5, 0.5]}, )"
+                      R"({"name": "b", "type": "blend", "first": "n", "second": "m", "weight": 1})")
+                .find("'m' has its own"),
+            std::string::npos);
+}
