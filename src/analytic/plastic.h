@@ -14,7 +14,7 @@ struct Plastic {
 
 /// What a smooth boundary reflects of diffuse light from the side of the smaller index: 2 times the integral
 /// of Fresnel's reflectance times the cosine, in closed form (Walsh 1926, in Duntley 1942, eq. 41).
-double fresnel_of_diffuse_light(double ior);
+double fresnel_of_diffuse_light(double n);
 
 /// What a rough boundary, with the index beyond it over that before it, makes of light from one direction:
 /// the integrals of F D G1 G1 / (4 cos cos) and of the transmission of Walter et al. 2007, eq. 21, times the

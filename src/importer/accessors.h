@@ -19,7 +19,7 @@ struct Numbers {
 /// The accessor of this index, with what a sparse one changes. `where` names it in messages: "POSITION of
 /// mesh 'box'". InputError if it leads beyond its buffer, or its elements have not `width` numbers; 0: any
 /// width.
-Numbers read_numbers(const Source& source, int accessor, std::size_t width, const std::string& where);
+Numbers read_numbers(const Source& source, int index, std::size_t width, const std::string& where);
 
 /// As read_numbers, of whole numbers that are below `end`. InputError names the first that is not.
 std::vector<std::uint32_t> read_indices(const Source& source,

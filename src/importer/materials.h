@@ -8,9 +8,9 @@ namespace orbs::importer {
 
 /// The index of the scene's material that shows glTF's material, -1 its default one, in this way; it is made
 /// where there is none yet.
-int material_for(Import& import, int material, const Shown& shown);
+int material_for(Import& import, int index, const Shown& shown);
 
 /// The set of coordinates that the colour texture of the material uses.
-int colour_coordinates(const Import& import, int material);
+int colour_coordinates(const Import& import, int index);
 
 }  // namespace orbs::importer

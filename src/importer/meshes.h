@@ -17,7 +17,7 @@ class Meshes {
   explicit Meshes(Import& import) : import_(&import) {}
 
   /// The index of the scene's mesh for that of glTF, all primitives in one; nothing if none has triangles.
-  std::optional<int> add(int mesh, const Pose& pose);
+  std::optional<int> add(int index, const Pose& pose);
 
  private:
   void add_primitive(const tinygltf::Primitive& primitive,

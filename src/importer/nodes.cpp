@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <ranges>
 #include <set>
 
 namespace orbs::importer {
@@ -132,8 +133,7 @@ std::vector<PlacedNode> placed_nodes(const Source& source, Report& report) {
     const Mat4 matrix = next.matrix * own_matrix(source, node, where);
     name_extensions(report, node, where);
     placed.push_back({next.node, matrix});
-    for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
-      open.push_back({*child, matrix});
+    for (const int child : std::ranges::reverse_view(node.children)) open.push_back({child, matrix});
   }
   return placed;
 }

@@ -135,6 +135,7 @@ bool read_for_library(std::vector<unsigned char>* out,
   }
 }
 
+// NOLINTNEXTLINE(readability-function-size): the parameters are those of the library's callback.
 bool keep_encoded(tinygltf::Image* image,
                   int,
                   std::string*,

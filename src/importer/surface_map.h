@@ -14,7 +14,7 @@ namespace orbs::importer {
 class SurfaceMap {
  public:
   /// Nothing if the material has no such texture, or none that is read.
-  static std::optional<SurfaceMap> of(Import& import, int material);
+  static std::optional<SurfaceMap> of(Import& import, int index);
 
   /// The set of coordinates that it uses.
   int coordinates() const { return coordinates_; }

@@ -13,7 +13,7 @@ namespace orbs::importer {
 std::optional<image::Image> read_picture(Import& import, int texture, const std::string& where);
 
 /// A texture without an image: how the sampler of this index, -1 the default one, looks into it.
-scene::Texture sampled(const Source& source, int sampler, const std::string& where);
+scene::Texture sampled(const Source& source, int index, const std::string& where);
 
 /// A colour texture of a material, its image written as PNG beside the scene. Nothing where there is none, or
 /// it is of a kind that is not read, which the report then says. InputError if its image is not there or
