@@ -7,7 +7,6 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
-#include <ranges>
 #include <set>
 
 namespace orbs::importer {
@@ -133,7 +132,8 @@ std::vector<PlacedNode> placed_nodes(const Source& source, Report& report) {
     const Mat4 matrix = next.matrix * own_matrix(source, node, where);
     name_extensions(report, node, where);
     placed.push_back({next.node, matrix});
-    for (const int child : std::ranges::reverse_view(node.children)) open.push_back({child, matrix});
+    const std::vector<int> last_first(node.children.rbegin(), node.children.rend());
+    for (const int child : last_first) open.push_back({child, matrix});
   }
   return placed;
 }
