@@ -120,13 +120,11 @@ void merge_into_world_mesh(Scene& scene) {
 }
 
 void tessellate_spheres(Scene& scene) {
-  // The facets' edges lie within 8e-5 radii of the sphere: 0.01 pixel where it fills 300.
-  constexpr int kSegments = 256;
   std::map<int, int> mesh_of;  // by material
   for (const auto& sphere : scene.spheres) {
     const auto [mesh, is_new] = mesh_of.try_emplace(sphere.material, static_cast<int>(scene.meshes.size()));
     if (is_new) {
-      scene.meshes.push_back(make_sphere({1, kSegments}));
+      scene.meshes.push_back(tessellated(SphereForm{{}, 1}).value());
       scene.meshes.back().name = fmt::format("sphere of material {}", sphere.material);
       scene.meshes.back().triangle_materials.assign(scene.meshes.back().triangles.size(), sphere.material);
     }

@@ -1,7 +1,11 @@
 #include "scene/lower/lower.h"
 
+#include "scene/lower/geometry.h"
+
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -248,4 +252,22 @@ TEST(Lowering, ALightWithoutANameIsCalledByItsPlace) {
   scene.lights[0].name = "";
   scene.lights.pop_back();
   EXPECT_EQ(reason_of(scene, {"L1"}), "light 0 is an area light, which needs L1");
+}
+
+// v of a sphere runs from 0 at the south pole to 1, and so must that of the mesh in its place: a texture on
+// it would have half as many rows.
+TEST(LowerShapes, AMeshInThePlaceOfASphereHasItsTextureCoordinates) {
+  Scene scene;
+  scene.materials = {{"m", Lambert{}}};
+  scene.spheres = {{"ball", {1, 2, 3}, 2, 0}};
+  tessellate_spheres(scene);
+  const auto& mesh = scene.meshes.at(0);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const Vec3f p = mesh.positions[i];
+    EXPECT_NEAR(mesh.uvs[i].y,
+                0.5 + std::asin(std::clamp(static_cast<double>(p.y), -1.0, 1.0)) / std::numbers::pi, 1e-3);
+    if (std::abs(p.y) > 0.99F || mesh.uvs[i].x > 0.99F) continue;
+    const double u = std::atan2(p.x, p.z) / (2 * std::numbers::pi);
+    EXPECT_NEAR(mesh.uvs[i].x, u < -1e-6 ? u + 1 : u, 1e-5);
+  }
 }
