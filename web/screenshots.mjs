@@ -1,7 +1,8 @@
 // Takes the screenshots of the documentation from a run:
 //   node screenshots.mjs <build folder> <run folder> <output folder> [<name>=<address>...]
 // The case shown is the first failure, or the first pass if there is none. An address is the part
-// from '#' on; if any is given, only these screenshots are taken. Needs Debian's chromium.
+// from '#' on; if any is given, only these screenshots are taken: of a case as high as a window, of
+// pictures as a whole. Needs Debian's chromium.
 import { spawn } from "node:child_process";
 import { mkdirSync } from "node:fs";
 import { join } from "node:path";
@@ -33,6 +34,20 @@ async function take(name, height, address, ready) {
   await page.screenshot({ path: join(output, `${name}.png`) });
 }
 
+// A window so high that all rows are in it, and then as high as they are.
+async function takeWhole(name, address) {
+  await page.setViewportSize({ width: kWidth_px, height: 6000 });
+  await page.goto(url + address);
+  await page.locator(".gallery .body .gallery-row").first().waitFor();
+  await page.waitForFunction(() => {
+    const count = (what) => document.querySelectorAll(`.gallery ${what}`).length;
+    return count("img[alt='|result − reference|']") === count("a.pictures");
+  });
+  const height = await page.evaluate(() => document.querySelector(".gallery").clientHeight);
+  await page.locator(".gallery").screenshot({ path: join(output, `${name}.png`) });
+  console.log(`${name}: ${height} px high`);
+}
+
 async function takeUsual() {
   await take("overview", 720, "", ".cell a");
   const cells = ["bad", "unsure", "good"].map((tone) => page.locator(`.cell a.tone-${tone}`));
@@ -50,7 +65,8 @@ async function takeUsual() {
 if (views.length === 0) await takeUsual();
 for (const view of views) {
   const [, name, address] = /^([^=]+)=(.+)$/s.exec(view);
-  await take(name, 720, address, ".stage canvas[data-drawn]");
+  if (address.includes("as=gallery")) await takeWhole(name, address);
+  else await take(name, 720, address, ".stage canvas[data-drawn]");
 }
 await browser.close();
 server.kill("SIGTERM");

@@ -22,10 +22,20 @@ constexpr std::string_view kOrder = "GMLA";
 struct Group {
   char letter;
   int highest;
+  std::string_view what;
 };
-constexpr std::array kGroups{Group{'G', 5}, Group{'M', 8}, Group{'L', 4}, Group{'A', 4},
-                             Group{'B', 9}, Group{'C', 5}, Group{'D', 6}, Group{'E', 6},
-                             Group{'N', 6}, Group{'S', 7}, Group{'T', 3}, Group{'I', 2}};
+constexpr std::array kGroups{Group{'G', 5, "geometry"},
+                             Group{'M', 8, "materials"},
+                             Group{'L', 4, "lights"},
+                             Group{'A', 4, "algorithms"},
+                             Group{'B', 9, "appearance"},
+                             Group{'C', 5, "cameras"},
+                             Group{'D', 6, "distant and point lights"},
+                             Group{'E', 6, "effects of light"},
+                             Group{'N', 6, "textures and surface detail"},
+                             Group{'S', 7, "shapes"},
+                             Group{'T', 3, "motion"},
+                             Group{'I', 2, "integrators"}};
 
 int rank(char group) {
   const auto at = kOrder.find(group);
@@ -174,9 +184,15 @@ RequirementCode parse_requirement(std::string_view text) {
 
 std::string format_requirement(RequirementCode code) { return fmt::format("{}{}", code.group, code.level); }
 
+std::string_view what_of_group(char letter) {
+  const auto group =
+      std::find_if(kGroups.begin(), kGroups.end(), [&](const auto& one) { return one.letter == letter; });
+  return group == kGroups.end() ? std::string_view() : group->what;
+}
+
 void refuse_unknown(RequirementCode code) {
   std::string known;
-  for (const auto& [letter, highest] : kGroups) {
+  for (const auto& [letter, highest, what] : kGroups) {
     if (code.group == letter && code.level <= highest) return;
     known += fmt::format("{}{}1", known.empty() ? "" : ", ", letter);
     if (highest > 1) known += fmt::format(" to {}{}", letter, highest);

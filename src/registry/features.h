@@ -38,6 +38,9 @@ struct RequirementCode {
 RequirementCode parse_requirement(std::string_view text);
 std::string format_requirement(RequirementCode code);
 
+/// What the requirements of a group are about: "geometry" of G; "" for a letter that is none.
+std::string_view what_of_group(char letter);
+
 /// InputError, with those that there are, when a requirement is none of G1 to G5, M1 to M8, L1 to L4, A1 to
 /// A4 of ORB.S, B1 to B9, appearance, C1 to C5, cameras, D1 to D4, lights without an area, E1 to E6, effects
 /// of light, N1 to N6, textures and surface detail, S1 to S7, shapes by their formula, T1 to T3, motion, and

@@ -248,7 +248,7 @@ Overview overview_of(const RunView& view) {
   overview.left_out = run.left_out;
   for (const auto& name : case_names) overview.cases.push_back(case_of(run, name));
   for (const auto& requirement : run.requirements)
-    overview.requirements.push_back({requirement.code, requirement.title});
+    overview.requirements.push_back({requirement.code, requirement.title, requirement.group});
   overview.main_metric = main_metric(run);
   overview.scenes = scene_effects(run);
   overview.effect_study = run.effect_study;

@@ -81,12 +81,14 @@ void fields(Visitor& visit, Record& renderer) {
 struct Requirement {
   std::string code;
   std::string title;
+  std::string group;  // what all of its letter are about; "" in runs of before that was recorded
 };
 
 template <class Visitor, json::RecordOf<Requirement> Record>
 void fields(Visitor& visit, Record& requirement) {
   visit("code", requirement.code);
   visit("title", requirement.title);
+  visit("group", requirement.group);
 }
 
 struct Metric {

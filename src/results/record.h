@@ -40,12 +40,14 @@ struct RequirementRecord {
   std::string code;  // "M2"
   std::string title;
   std::map<std::string, Cell> cells;  // by renderer
+  std::string group = {};             // what all of its letter are about: "materials"
 };
 
 template <class Visitor, json::RecordOf<RequirementRecord> Record>
 void fields(Visitor& visit, Record& requirement) {
   visit.required("code", requirement.code);
   visit("title", requirement.title);
+  visit("group", requirement.group);
   visit("renderers", requirement.cells);
 }
 

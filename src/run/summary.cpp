@@ -1,5 +1,7 @@
 #include "run/summary.h"
 
+#include "registry/features.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,7 +32,9 @@ void fill_requirements(results::RunRecord& record) {
   for (const auto& one_case : record.cases) {
     const auto known = std::any_of(record.requirements.begin(), record.requirements.end(),
                                    [&](const auto& r) { return r.code == one_case.requirement; });
-    if (!known) record.requirements.push_back({one_case.requirement, one_case.title, {}});
+    if (known) continue;
+    const auto group = registry::what_of_group(one_case.requirement.front());
+    record.requirements.push_back({one_case.requirement, one_case.title, {}, std::string(group)});
   }
   for (auto& requirement : record.requirements)
     for (const auto& target : record.targets) {

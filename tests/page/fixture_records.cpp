@@ -1,6 +1,7 @@
 #include "page/fixture_records.h"
 
 #include "base/files.h"
+#include "registry/features.h"
 
 #include <cctype>
 
@@ -91,7 +92,10 @@ results::RunRecord blank_run(const std::vector<std::string>& renderers) {
 
 void write_run(results::RunRecord run, const std::filesystem::path& folder) {
   for (const auto& one_case : run.cases)
-    run.requirements.push_back({one_case.requirement, one_case.title, {}});
+    run.requirements.push_back({one_case.requirement,
+                                one_case.title,
+                                {},
+                                std::string(registry::what_of_group(one_case.requirement.front()))});
   run.folder = folder.string();
   write_file(folder / "results.json", results::run_json(run));
 }

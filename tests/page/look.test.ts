@@ -227,6 +227,24 @@ for (const kind of ["served", "in one file"])
     await page.close();
   });
 
+test("pictures are also of requirements, and a group of them can be chosen", async () => {
+  const { page } = await open(session.browser, `${session.url}#/?as=gallery&by=requirement`);
+  const heads = page.locator(".gallery .body .gallery-head");
+  await heads.first().waitFor();
+  const codes = async () => (await heads.allInnerTexts()).map((text) => text.slice(0, 2));
+  const all = await codes();
+  assert.equal(new Set(all).size, all.length, "each requirement has one row");
+  await page.getByRole("group", { name: "Group" }).getByText("M materials").click();
+  await page.waitForFunction(
+    (n) => document.querySelectorAll(".gallery .body .gallery-head").length < n,
+    all.length,
+  );
+  assert.ok((await codes()).every((code) => code.startsWith("M")));
+  await page.getByRole("button", { name: "By target" }).click();
+  await page.locator(".gallery-head .about").first().waitFor(); // what the case is about
+  await page.close();
+});
+
 test("the filter knows renderers and verdicts together", async () => {
   const { page } = await open(session.browser, `${session.url}#/?by=target`);
   const rows = () => page.locator(".grid .row.target").count();

@@ -2,7 +2,7 @@ import type { RefObject } from "preact";
 import { lookOf } from "../common/states";
 import type { Overview } from "../data/generated";
 import { note } from "../route";
-import type { Filter } from "./rows";
+import { requirementGroups, type Filter } from "./rows";
 
 interface Props {
   overview: Overview;
@@ -57,6 +57,7 @@ export function Filters({ overview, filter, count, box, isGallery }: Props) {
     .filter((s) => s.count > 0)
     .reverse();
   const suites = [...new Set(overview.cases.map((one) => one.suite))].map((name) => ({ name }));
+  const groups = requirementGroups(overview).map((name) => ({ name }));
   const lookByName = (name: string) => lookOf(overview.states.find((state) => state.name === name));
   return (
     <section class="filters" aria-label="Filter">
@@ -72,6 +73,7 @@ export function Filters({ overview, filter, count, box, isGallery }: Props) {
         />
       </label>
       <Chips label="Suite" names={suites} chosen={filter.suites} param="suite" />
+      <Chips label="Group" names={groups} chosen={filter.groups} param="group" />
       <Chips
         label="State"
         names={states}
@@ -115,15 +117,13 @@ function Choices({ overview, filter, count, isGallery }: Omit<Props, "box">) {
       >
         Worst number first
       </button>
-      {isGallery ? null : (
-        <button
-          aria-pressed={filter.byTarget}
-          title="Key p"
-          onClick={() => note({ by: filter.byTarget ? "" : "target" })}
-        >
-          By target
-        </button>
-      )}
+      <button
+        aria-pressed={filter.byTarget}
+        title="Key p"
+        onClick={() => note({ by: filter.byTarget ? "requirement" : "target" })}
+      >
+        By target
+      </button>
       <label>
         Show{" "}
         <select value={filter.show} onChange={(event) => note({ show: event.currentTarget.value })}>

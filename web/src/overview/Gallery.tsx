@@ -19,10 +19,20 @@ interface Props {
 const kHead = 208; // width of the titles
 const kText = 74; // height of the lines below the pictures
 const kGap = 8;
+const kNarrow = 700; // below this width the titles stand above the pictures
 
-/** Side of a picture, so that all renderers fit the width: one reference, and two for each renderer. */
-function pictureSide(width: number, renderers: number): number {
-  const room = width - (width < 700 ? 0 : kHead) - kGap * (2 * renderers + 2);
+/** Width of the pictures of a row at this side: one reference, and two for each renderer. */
+const picturesWidth = (side: number, renderers: number): number =>
+  (2 * renderers + 1) * (side + kGap) + kGap;
+
+/** Rows that stand beside each other: as many as the width holds with pictures that are large enough. */
+function columnsOf(width: number, renderers: number): number {
+  return Math.max(1, Math.floor(width / (kHead + picturesWidth(128, renderers))));
+}
+
+/** Side of a picture, so that all renderers fit the width. */
+function pictureSide(width: number, head: number, renderers: number): number {
+  const room = width - head - picturesWidth(0, renderers);
   return Math.max(72, Math.min(220, Math.floor(room / (2 * renderers + 1))));
 }
 
@@ -131,6 +141,7 @@ function GalleryRow({
       <span role="rowheader" class="gallery-head">
         <b>{row.requirement}</b>{" "}
         <a href={first < 0 ? "#/" : cellLink(session, first)}>{row.title}</a>
+        {row.about ? <span class="about quiet">{row.about}</span> : null}
       </span>
       <span role="cell" class="card">
         <Picture address={reference} label="reference" side={side} />
@@ -143,22 +154,28 @@ function GalleryRow({
   );
 }
 
-/** Each target as pictures: its reference, and the result and the difference of each renderer. */
+/**
+ * Each target, or the worst of each requirement, as pictures: its reference, and the result and the
+ * difference of each renderer. Where the width allows, rows stand beside each other.
+ */
 export function Gallery({ session, rows, renderers, show }: Props) {
   const { box, width } = useWidth();
-  const side = pictureSide(width, renderers.length);
-  const height = side + kText + (width < 700 ? 24 : 0);
-  const { body, begin, end } = useWindow(rows.length, height, 2);
+  const columns = columnsOf(width, renderers.length);
+  const isNarrow = width < kNarrow;
+  const side = pictureSide(width / columns, isNarrow ? 0 : kHead, renderers.length);
+  const height = side + kText + (isNarrow ? 24 : 0);
+  const lines = Math.ceil(rows.length / columns);
+  const { body, begin, end } = useWindow(lines, height, 2);
   return (
     <div
-      class={`gallery ${width < 700 ? "narrow" : ""}`}
+      class={`gallery ${isNarrow ? "narrow" : ""} ${columns > 1 ? "several" : ""}`}
       role="table"
       aria-label="Targets as pictures"
       ref={box}
     >
       <div role="row" class="gallery-row head">
         <span role="columnheader" class="gallery-head">
-          Target
+          {rows[0]?.kind === "requirement" ? "Requirement" : "Target"}
         </span>
         <span role="columnheader" class="card" style={{ width: `${side}px` }}>
           Reference
@@ -175,13 +192,18 @@ export function Gallery({ session, rows, renderers, show }: Props) {
         ))}
       </div>
       {rows.length === 0 ? <p class="quiet empty">Nothing matches the filter.</p> : null}
-      <div class="body" ref={body} role="rowgroup" style={{ height: `${rows.length * height}px` }}>
-        {rows.slice(begin, end).map((row, i) => (
+      <div class="body" ref={body} role="rowgroup" style={{ height: `${lines * height}px` }}>
+        {rows.slice(begin * columns, end * columns).map((row, i) => (
           <div
             role="row"
             class="gallery-row"
             key={row.key}
-            style={{ top: `${(begin + i) * height}px`, height: `${height}px` }}
+            style={{
+              top: `${(begin + Math.floor(i / columns)) * height}px`,
+              height: `${height}px`,
+              left: `${(100 / columns) * (i % columns)}%`,
+              width: `${100 / columns}%`,
+            }}
           >
             <GalleryRow session={session} row={row} renderers={renderers} show={show} side={side} />
           </div>

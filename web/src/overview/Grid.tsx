@@ -94,7 +94,11 @@ function Cell({ session, index, show, onHover }: CellProps) {
 function Title({ session, row, renderers }: { session: Session; row: Row; renderers: number[] }) {
   const cell = worstCell(session.overview, row, renderers);
   return (
-    <a class="title" title={row.title} href={cell < 0 ? "#/" : cellLink(session, cell)}>
+    <a
+      class="title"
+      title={row.about || row.title}
+      href={cell < 0 ? "#/" : cellLink(session, cell)}
+    >
       {row.title}
     </a>
   );

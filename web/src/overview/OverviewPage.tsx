@@ -18,9 +18,11 @@ function filterOf({ query }: Route, mainMetric: string): Filter {
   return {
     text: query["q"] ?? "",
     suites: list(query["suite"]),
+    groups: list(query["group"]),
     states: list(query["state"]),
     renderers: list(query["renderer"]),
-    byTarget: query["by"] === "target" || query["as"] === "gallery",
+    // Pictures are of targets, a table is of requirements, if the address says nothing else.
+    byTarget: (query["by"] || (query["as"] === "gallery" ? "target" : "")) === "target",
     order: orderOf(query["order"]),
     show: query["show"] || mainMetric,
     open: list(query["open"]),
@@ -43,7 +45,7 @@ export function OverviewPage({ session, route }: { session: Session; route: Rout
       key: "p",
       label: "by requirement or by target",
       group: "Overview",
-      run: () => note({ by: filter.byTarget ? "" : "target" }),
+      run: () => note({ by: filter.byTarget ? "requirement" : "target" }),
     },
     {
       key: "f",

@@ -7,6 +7,10 @@ export interface Row {
   kind: "requirement" | "target";
   requirement: string;
   title: string;
+  /** What the target's case is about; "" of a requirement, whose title says it. */
+  about: string;
+  /** The requirement's letter and what all of that letter are about. */
+  group: string;
   suite: string;
   /** By renderer: the index of the cell that represents the row; -1 if there is none. */
   cells: number[];
@@ -19,6 +23,7 @@ export interface Row {
 export interface Filter {
   text: string;
   suites: string[];
+  groups: string[];
   states: string[];
   renderers: string[];
   byTarget: boolean;
@@ -75,10 +80,23 @@ interface Group {
   targets: Map<string, Row>;
 }
 
+/** By code: the letter of the requirement and what its group is about, "B appearance". */
+function groupNames(overview: Overview): Map<string, string> {
+  return new Map(
+    overview.requirements.map(({ code, group }) => [code, `${code.charAt(0)} ${group}`.trim()]),
+  );
+}
+
+/** The groups of a run's requirements, in the order of the run. */
+export function requirementGroups(overview: Overview): string[] {
+  return [...new Set(groupNames(overview).values())];
+}
+
 /** All rows of a run by requirement, in the order of the run. */
 export function groupsOf(overview: Overview): Group[] {
   const { cells, cases } = overview;
   const titles = new Map(overview.requirements.map(({ code, title }) => [code, title]));
+  const names = groupNames(overview);
   const groups = new Map<string, Group>();
   const emptyCells = (): number[] => overview.renderers.map(() => -1);
   for (let i = 0; i < cells.case.length; ++i) {
@@ -95,6 +113,8 @@ export function groupsOf(overview: Overview): Group[] {
         kind: "requirement",
         requirement: one.requirement,
         title,
+        about: "",
+        group: names.get(one.requirement) ?? one.requirement.charAt(0),
         suite: one.suite,
         cells: emptyCells(),
         below: 0,
@@ -111,6 +131,8 @@ export function groupsOf(overview: Overview): Group[] {
         kind: "target",
         requirement: one.requirement,
         title: target,
+        about: one.title,
+        group: group.row.group,
         suite: one.suite,
         cells: emptyCells(),
         below: 0,
@@ -154,6 +176,7 @@ export function visibleRows(overview: Overview, groups: Group[], filter: Filter)
   const keeps = (row: Row): boolean =>
     hasWords(row) &&
     (filter.suites.length === 0 || filter.suites.includes(row.suite)) &&
+    (filter.groups.length === 0 || filter.groups.includes(row.group)) &&
     (filter.states.length === 0 ||
       renderers.some((r) => {
         const cell = row.cells[r] ?? -1;
