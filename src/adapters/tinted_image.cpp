@@ -1,10 +1,10 @@
 #include "adapters/tinted_image.h"
 
+#include "adapters/detail_images.h"
 #include "adapters/mirrored_image.h"
 #include "base/error.h"
 #include "image/image_io.h"
 
-#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -31,19 +31,12 @@ scene::RgbColour tint_of(const scene::MaterialModel& model) {
       model);
 }
 
-// Linear, whatever the texture holds.
-image::Image numbers_of(const scene::Texture& texture) {
-  return image::read_linear_rgb(texture.file, texture.encoding == scene::Encoding::Linear
-                                                  ? image::Encoded::Numbers
-                                                  : image::Encoded::Srgb);
-}
-
 image::Image tinted(const scene::Scene& scene, int material) {
   const scene::MaterialModel& model = material_at(scene, material).model;
   const scene::RgbColour tint = tint_of(model);
   const std::array factors{tint.x, tint.y, tint.z};
   const scene::Texture& texture = texture_at(scene, *texture_of(model));
-  image::Image image = numbers_of(texture);
+  image::Image image = linear_texels(texture);
   for (std::size_t i = 0; i < image.pixels.size(); ++i)
     image.pixels[i] = static_cast<float>(static_cast<double>(image.pixels[i]) * factors[i % 3]);
   const auto* rough = std::get_if<scene::VaryingGgx>(&model);
@@ -88,26 +81,6 @@ void write_tinted_channels(const scene::Scene& scene,
       for (std::size_t i = 0; i < channel.pixels.size(); ++i) channel.pixels[i] = image.pixels[3 * i + c];
       image::write_exr(channel, folder / names[c]);
     }
-  });
-}
-
-std::string opacity_image_name(int material, const std::string& stem) {
-  return fmt::format("{}-opacity{}.exr", stem, material);
-}
-
-void write_opacity(const scene::Scene& scene,
-                   int material,
-                   const std::filesystem::path& folder,
-                   const std::string& stem) {
-  const scene::SurfaceDetail& detail = material_at(scene, material).detail;
-  const scene::Texture& texture = texture_at(scene, *detail.opacity_texture);
-  with_note(fmt::format("writing the opacity of texture '{}'", texture.name), [&] {
-    const image::Image texels = with_mirror_images(numbers_of(texture), texture);
-    image::Image shares = image::make_image(texels.width, texels.height, {"Y"});
-    for (std::size_t i = 0; i < shares.pixels.size(); ++i)
-      shares.pixels[i] = static_cast<float>(detail.opacity) *
-                         std::max({texels.pixels[3 * i], texels.pixels[3 * i + 1], texels.pixels[3 * i + 2]});
-    image::write_exr(shares, folder / opacity_image_name(material, stem), image::Precision::Float);
   });
 }
 

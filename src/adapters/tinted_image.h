@@ -27,12 +27,4 @@ void write_tinted_channels(const scene::Scene& scene,
                            const std::filesystem::path& folder,
                            const std::string& stem);
 
-/// Name of the image of a material's opacity, and the file itself: the largest channel of its texture times
-/// its number, grey floats, with the mirror images (mirrored_image.h).
-std::string opacity_image_name(int material, const std::string& stem);
-void write_opacity(const scene::Scene& scene,
-                   int material,
-                   const std::filesystem::path& folder,
-                   const std::string& stem);
-
 }  // namespace orbs::adapters

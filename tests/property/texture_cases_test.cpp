@@ -142,6 +142,42 @@ TEST(TextureCases, SurfacesThatLetRaysPass) {
         }}});
 }
 
+TEST(TextureCases, BumpMaps) {
+  const std::set<std::string> all{"n2-ramp", "n2-scaled", "n2-ridges"};
+  const auto heights = [](double factor) {
+    return [factor](scene::Scene& scene) {
+      for (auto& material : scene.materials) material.detail.bump_map->height_m *= factor;
+    };
+  };
+  // As where a matrix makes heights larger, too.
+  const auto higher = [](const char* name, double factor) {
+    return [=](scene::Scene& scene) {
+      auto material = scene.materials.front();
+      material.detail.bump_map->height_m *= factor;
+      scene.materials.push_back(material);
+      for (auto& instance : scene.instances)
+        if (instance.name == name) instance.remap = {{0, static_cast<int>(scene.materials.size()) - 1}};
+    };
+  };
+  expect_the_case_and_no_mistake(
+      "n2_bump_map",
+      {{"heights inverted", all, heights(-1)},
+       {"no heights", all, [](scene::Scene& scene) { scene.materials[0].detail = {}; }},
+       {"heights half as high, as a normal that is mixed with the surface's", all, heights(0.5)},
+       {"heights that are decoded as colours",
+        {"n2-ramp", "n2-scaled"},
+        [](scene::Scene& scene) { texture_in(scene).encoding = scene::Encoding::Srgb; }},
+       {"heights that a matrix enlarges", {"n2-scaled"}, higher("larger", 2)},
+       {"heights that a matrix stretches", {"n2-scaled"}, higher("thick", 3)},
+       {"slopes without the texture matrix",
+        {"n2-scaled"},
+        [](scene::Scene& scene) { scene.materials[1].detail.bump_map->texture.matrix = {}; }},
+       {"u and v swapped", all, [](scene::Scene& scene) {
+          for (auto& mesh : scene.meshes)
+            for (auto& uv : mesh.uvs) std::swap(uv.x, uv.y);
+        }}});
+}
+
 TEST(TextureCases, NormalMaps) {
   const auto strength = [](double factor) {
     return [factor](scene::Scene& scene) { scene.materials[0].detail.normal_map->strength *= factor; };

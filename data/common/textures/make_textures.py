@@ -130,6 +130,11 @@ def soft_blobs(u, v):
     return smooth(smooth(min(1.0, max(0.0, 1.5 * layered_noise(u, v, 6, 6, 300, 2) - 0.25))))
 
 
+def waves(u, v):
+    """height_waves: four waves along u."""
+    return 0.5 + 0.5 * math.sin(8 * math.pi * u) * math.sin(math.pi * v) ** 2
+
+
 def main() -> None:
     write_png("chess_white.png", image(64, 64, checker((1, 1, 1))))
     write_png("chess_red.png", image(64, 64, checker((1, 0, 0))))
@@ -143,6 +148,12 @@ def main() -> None:
     write_png("four_colours.png", [[tuple(v / 255 for v in colour) for colour in row] for row in four])
     # A normal that leans to +u and +v.
     write_png("tilted_normal.png", [[tuple(v / 255 for v in (166, 153, 246))]])
+    # Heights of a surface: an even slope that goes up 6 steps a texel along u and 4 along v, ridges along u whose flanks
+    # are even where they are interpolated, and waves around a ball that end at its poles.
+    ramp = [[(6 * column + 4 * row) / 255 for column in range(16)] for row in reversed(range(16))]
+    write_png("height_ramp.png", ramp, grey=True)
+    write_png("height_ridges.png", [[0, 1]] * 2, grey=True)
+    write_png("height_waves.png", image(64, 64, waves), grey=True)
     # Shares of rays that meet a surface.
     mask = [[255, 0, 128, 64], [0, 255, 64, 0], [128, 255, 0, 255], [255, 64, 255, 0]]
     write_png("mask.png", [[v / 255 for v in row] for row in mask], grey=True)

@@ -103,6 +103,7 @@ const BeyondOrbs& beyond_orbs() {
        {"E4", "glTF has no fluorescence"},
        {"E5", "glTF's thin films are a fit for the eye (KHR_materials_iridescence)"},
        {"E6", "glTF's dispersion is one number of Abbe for three colours (KHR_materials_dispersion)"},
+       {"N2", "glTF has normal maps and no heights"},
        {"N3", "the alpha of glTF blends or cuts what is drawn; the specification says nothing of shadows"},
        {"S7", "a plug-in is machine code for the built-in tracer"},
        {"T1", "glTF's animations turn by angles, and it has no shutter"},

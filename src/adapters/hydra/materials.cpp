@@ -116,6 +116,7 @@ const BeyondOrbs& beyond_orbs() {
        {"E4", "HydraCore3 has no fluorescence"},
        {"E5", "HydraCore3's thin films are tables for three colours"},
        {"E6", "HydraCore3 refracts three colours alike"},
+       {"N2", "HydraCore3 has normal maps and no heights"},
        {"N3", "HydraCore3 has no surfaces that let a share of the rays pass"},
        {"N5", "HydraCore3's nearest texel is the same one everywhere"},
        {"S7", "a plug-in is machine code for the built-in tracer"},

@@ -1,5 +1,6 @@
 #include "adapters/mitsuba/materials.h"
 
+#include "adapters/detail_images.h"
 #include "adapters/kind_support.h"
 #include "adapters/mitsuba/xml.h"
 #include "adapters/tinted_image.h"
@@ -252,8 +253,8 @@ struct BsdfWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"B2", "B3", "B4", "B5", "B6", "B9", "C1", "C2", "C3", "D1",
-       "D2", "D3", "D5", "D6", "E1", "E2", "E3", "N3", "N4", "N5"},
+      {"B2", "B3", "B4", "B5", "B6", "B9", "C1", "C2", "C3", "D1", "D2",
+       "D3", "D5", "D6", "E1", "E2", "E3", "N2", "N3", "N4", "N5"},
       {{"B1", "Mitsuba's rough metals follow n and k and are masked by the separable term"},
        {"B7", "Mitsuba's principled BSDF is another model"},
        {"B8", "Mitsuba 3 has no Phong reflection"},
@@ -269,6 +270,19 @@ const BeyondOrbs& beyond_orbs() {
   return kLevels;
 }
 
+namespace {
+
+// By default Mitsuba turns normals that face away from the viewer, and darkens surfaces by a term for
+// shadows. What has two sides stands inside: from behind, the bumps are dents then, and no mirror images.
+std::string raised(const std::string& id, const std::string& heights, const std::string& even) {
+  return fmt::format(
+      "<bsdf type=\"bumpmap\" id=\"{}\"><boolean name=\"flip_invalid_normals\" value=\"false\"/><boolean "
+      "name=\"use_shadowing_function\" value=\"false\"/>{}\n{}</bsdf>\n",
+      id, heights, even);
+}
+
+}  // namespace
+
 std::string material_limit(const scene::Material& material, bool is_polarised) {
   return limit_of_material<BsdfWriter>(material, kName, beyond_orbs(),
                                        MaterialLimits{material.name, is_polarised});
@@ -278,14 +292,20 @@ std::string bsdf_text(const Colours& colours, int material, const std::string& s
   const auto& m = material_at(colours.scene, material);
   const std::string name = fmt::format("material{}", material);
   const bool is_open = lets_rays_pass(m.detail);
-  const std::string id = is_open ? name + "-whole" : name;
+  const std::string whole_id = is_open ? name + "-whole" : name;
+  const std::string even_id = m.detail.bump_map ? name + "-even" : whole_id;
   const std::string image = tinted_image_name(material, stem);
-  const auto whole = text_of_material(m, kName, BsdfWriter{colours, id, image});
+  auto whole = text_of_material(m, kName, BsdfWriter{colours, even_id, image});
+  if (m.detail.bump_map)
+    whole = raised(whole_id,
+                   bitmap("heights", height_image_name(material, stem),
+                          texture_at(colours.scene, m.detail.bump_map->texture), kRaw),
+                   whole);
   if (!is_open) return xml_comment(m.name) + whole;
   const auto& use = m.detail.opacity_texture;
-  const auto opacity = use ? bitmap("opacity", opacity_image_name(material, stem),
-                                    texture_at(colours.scene, *use), "<boolean name=\"raw\" value=\"true\"/>")
-                           : fmt::format("<float name=\"opacity\" value=\"{}\"/>", m.detail.opacity);
+  const auto opacity =
+      use ? bitmap("opacity", opacity_image_name(material, stem), texture_at(colours.scene, *use), kRaw)
+          : fmt::format("<float name=\"opacity\" value=\"{}\"/>", m.detail.opacity);
   return xml_comment(m.name) +
          fmt::format("<bsdf type=\"mask\" id=\"{}\">{}\n{}</bsdf>\n", name, opacity, whole);
 }

@@ -1,5 +1,6 @@
 #include "adapters/mitsuba/mitsuba.h"
 
+#include "adapters/detail_images.h"
 #include "adapters/environment_image.h"
 #include "adapters/format_limits.h"
 #include "adapters/material_meshes.h"
@@ -205,7 +206,7 @@ class Writer {
   std::string material_text(int index) {
     if (scene::texture_of(material_at(scene_, index).model))
       write_tinted(scene_, index, folder_ / tinted_image_name(index, stem_));
-    if (material_at(scene_, index).detail.opacity_texture) write_opacity(scene_, index, folder_, stem_);
+    write_detail_images(scene_, index, folder_ / (stem_ + ".xml"), MirrorImages::None);
     return mitsuba::bsdf_text(colours_, index, stem_);
   }
 

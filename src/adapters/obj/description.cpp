@@ -47,18 +47,26 @@ constexpr const char* kMapWords =
     "asin(y) / pi of the direction (x, y, z) = inverse of the matrix times the ray's; u wraps, v is clamped to "
     "the centres of the outermost rows. It lights the scene";
 constexpr const char* kTextureWords =
-    "its texels multiply the colour. 8-bit files hold sRGB values: each texel is decoded first, then filtered "
-    "bilinearly, without mip maps. The bottom row of the image has v = 0";
+    "its texels multiply the number or the colour beside it; 8-bit files of colours hold sRGB values, and each texel is "
+    "decoded first";
+constexpr const char* kLinearWords =
+    ". Filtered bilinearly, without mip maps. The bottom row of the image has v = 0";
 constexpr const char* kNearestWords =
-    "its texels multiply the number or the colour beside it; 8-bit files of colours hold sRGB values. The texel that the place lies in counts alone, "
-    "nothing is interpolated. The bottom row of the image has v = 0";
+    ". The texel that the place lies in counts alone, nothing is interpolated. The bottom row of the image has v = 0";
 
 constexpr const char* kOpacityWords =
     "a ray meets the surface with this probability and else passes straight on: rays of the camera, scattered ones "
     "and those to lights alike. What passes is no scattering";
 constexpr const char* kOpacityTextureWords =
-    "the largest channel of its texels multiplies the opacity. The files hold plain numbers, filtered bilinearly. The "
-    "bottom row of the image has v = 0";
+    "the largest channel of its texels multiplies the opacity. The files hold plain numbers";
+constexpr const char* kNormalWords =
+    "x = 2 r - 1 along increasing u, y = 2 g - 1 along increasing v, both times the strength, z = 2 b - 1 along the "
+    "normal n; made unit after filtering. The axes are unit: t is the direction of u made perpendicular to n, and n x "
+    "t or its opposite, on the side of increasing v. From behind it is the negative. The files hold plain numbers";
+constexpr const char* kHeightWords =
+    "the red of its texels times height_m is the height along the normal n of a surface that is not moved: with p "
+    "made perpendicular to n, its normal is that of (dp/du + n dh/du) x (dp/dv + n dh/dv), on the side of n. From "
+    "behind it is the negative. The files hold plain numbers; dh is the slope between them";
 
 struct MaterialWords {
   const char* operator()(const scene::Lambert&) const {
@@ -160,7 +168,8 @@ void write_texture(json::Writer& out,
   out.member("wrap_u", word_of(texture.wrap_u)).member("wrap_v", word_of(texture.wrap_v));
   if (texture.filter == scene::Filter::Nearest) out.member("filter", "nearest");
   if (texture.encoding == scene::Encoding::Linear) out.member("encoding", "linear");
-  out.member("in_words", texture.filter == scene::Filter::Nearest ? kNearestWords : words).end_object();
+  const bool is_nearest = texture.filter == scene::Filter::Nearest;
+  out.member("in_words", std::string(words) + (is_nearest ? kNearestWords : kLinearWords)).end_object();
 }
 
 void write_opacity(json::Writer& out,
@@ -173,6 +182,20 @@ void write_opacity(json::Writer& out,
     write_texture(out, scene, "opacity_texture", *use, kOpacityTextureWords, stem);
 }
 
+void write_normals(json::Writer& out,
+                   const scene::Scene& scene,
+                   const scene::SurfaceDetail& detail,
+                   const std::string& stem) {
+  if (const auto& map = detail.normal_map) {
+    out.member("normal_strength", map->strength);
+    write_texture(out, scene, "normal_map", map->texture, kNormalWords, stem);
+  }
+  if (const auto& map = detail.bump_map) {
+    out.member("height_m", map->height_m);
+    write_texture(out, scene, "bump_map", map->texture, kHeightWords, stem);
+  }
+}
+
 void write_materials(json::Writer& out, const scene::Scene& scene, const std::string& stem) {
   const auto names = material_names(scene);
   out.key("materials").begin_array();
@@ -183,6 +206,7 @@ void write_materials(json::Writer& out, const scene::Scene& scene, const std::st
     std::visit([&](const auto& m) { write(out, scene.spectra, m); }, model);
     if (const auto& use = texture_of(model)) write_texture(out, scene, "texture", *use, kTextureWords, stem);
     write_opacity(out, scene, material_at(scene, index).detail, stem);
+    write_normals(out, scene, material_at(scene, index).detail, stem);
     out.end_object();
   }
   out.end_array();

@@ -1,5 +1,6 @@
 #include "adapters/pbrt/materials.h"
 
+#include "adapters/detail_images.h"
 #include "adapters/exporter.h"
 #include "adapters/kind_support.h"
 #include "adapters/mirrored_image.h"
@@ -17,10 +18,6 @@ namespace {
 constexpr const char* kName = "pbrt";
 constexpr const char* kMasking = "height-correlated in transmission, too";
 constexpr double kLeastAlpha = 1e-3;  // its distribution takes smaller ones for smooth
-
-std::string named(const std::string& name, const std::string& type, const std::string& parameters) {
-  return fmt::format("MakeNamedMaterial \"{}\" \"string type\" \"{}\" {}\n", name, type, parameters);
-}
 
 struct MaterialLimits {
   const std::string& name;
@@ -108,13 +105,19 @@ std::string image_texture(const std::string& name, const std::string& file, cons
 }
 
 std::string opacity_name(int material) { return fmt::format("material{}-opacity", material); }
+std::string heights_name(int material) { return fmt::format("material{}-heights", material); }
 
 struct MaterialWriter {
   const Colours& colours;
   const std::string& name;
   const std::string& stem;  // of the scene file
   int material = 0;
+  std::string detail = "";  // parameters that all but mixes have
 
+  std::string named(const std::string& of, const std::string& type, const std::string& parameters) const {
+    return fmt::format("MakeNamedMaterial \"{}\" \"string type\" \"{}\" {}{}\n", of, type, parameters,
+                       type == "mix" ? "" : detail);
+  }
   std::string diffuse(scene::RgbColour reflectance,
                       const std::optional<scene::SpectrumUse>& spectrum,
                       const std::optional<scene::TextureUse>& use) const {
@@ -174,7 +177,7 @@ struct MaterialWriter {
   std::string operator()(const scene::GgxLambert& m) const {
     const auto mean = scene::mix_as_mean(m);
     const std::string glossy = name + "-glossy";
-    const MaterialWriter part{colours, glossy, stem, material};
+    const MaterialWriter part{colours, glossy, stem, material, detail};
     return part.share_of_full(mean.glossy.x, ggx(m.alpha)) +
            named(name + "-diffuse", "diffuse", rgb("reflectance", mean.diffuse)) +
            named(name, "mix",
@@ -234,8 +237,8 @@ struct MaterialWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"B2", "B3", "B4", "B6", "B9", "C1", "C2", "C3", "C4", "D1", "D2", "D3", "D4", "E1", "E2", "E6", "N3",
-       "N4", "N5"},
+      {"B2", "B3", "B4", "B6", "B9", "C1", "C2", "C3", "C4", "D1",
+       "D2", "D3", "D4", "E1", "E2", "E6", "N2", "N3", "N4", "N5"},
       {{"B1", "pbrt's metals follow n and k, not Schlick's formula"},
        {"B5", "pbrt's rough coat is walked through at random and has another dependence on the angle"},
        {"B7", "pbrt has no material of metallic and roughness"},
@@ -266,11 +269,17 @@ std::string material_text(const Colours& colours, int material, const std::strin
   const auto& m = material_at(colours.scene, material);
   const std::string name = fmt::format("material{}", material);
   const auto& use = m.detail.opacity_texture;
-  const auto opacity = use ? image_texture(opacity_name(material), opacity_image_name(material, stem),
-                                           texture_at(colours.scene, *use))
-                           : "";
-  return fmt::format("# material {}\n", comment_text(m.name)) + opacity +
-         text_of_material(m, kName, MaterialWriter{colours, name, stem, material});
+  std::string text = fmt::format("# material {}\n", comment_text(m.name));
+  if (use)
+    text += image_texture(opacity_name(material), opacity_image_name(material, stem),
+                          texture_at(colours.scene, *use));
+  std::string detail;
+  if (const auto& map = m.detail.bump_map) {
+    text += image_texture(heights_name(material), height_image_name(material, stem),
+                          texture_at(colours.scene, map->texture));
+    detail = fmt::format(" \"texture displacement\" \"{}\"", heights_name(material));
+  }
+  return text + text_of_material(m, kName, MaterialWriter{colours, name, stem, material, detail});
 }
 
 }  // namespace orbs::adapters::pbrt

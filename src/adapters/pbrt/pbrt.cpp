@@ -1,5 +1,6 @@
 #include "adapters/pbrt/pbrt.h"
 
+#include "adapters/detail_images.h"
 #include "adapters/exporter.h"
 #include "adapters/format_limits.h"
 #include "adapters/material_meshes.h"
@@ -141,7 +142,7 @@ class Writer {
     for (const int index : scene::visible_materials(scene_)) {
       if (scene::texture_of(material_at(scene_, index).model))
         write_tinted_channels(scene_, index, folder_, stem_);
-      if (material_at(scene_, index).detail.opacity_texture) write_opacity(scene_, index, folder_, stem_);
+      write_detail_images(scene_, index, folder_ / (stem_ + ".pbrt"), MirrorImages::Beside);
       text += pbrt::material_text(colours_, index, stem_);
     }
     for (std::size_t i = 0; i < meshes.size(); ++i) text += mesh_text(meshes[i], i);

@@ -1,9 +1,9 @@
 #include "adapters/povray/materials.h"
 
+#include "adapters/detail_images.h"
 #include "adapters/kind_support.h"
 #include "adapters/mirrored_image.h"
 #include "adapters/povray/sdl.h"
-#include "adapters/tinted_image.h"
 #include "base/nth.h"
 #include "image/image_io.h"
 
@@ -210,6 +210,7 @@ const BeyondOrbs& beyond_orbs() {
        {"E3", "POV-Ray carries no polarisation"},
        {"E4", "POV-Ray has no fluorescence"},
        {"E5", "POV-Ray's irid is a cosine at one wavelength for each of three colours, without any index"},
+       {"N2", "POV-Ray's bumps are differences of three texels in units of its own"},
        {"S7", "a plug-in is machine code for the built-in tracer"},
        {"T1", "POV-Ray shows an instant, it has no motion blur"},
        {"T2", "POV-Ray shows an instant, it has no motion blur"},

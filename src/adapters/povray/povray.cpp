@@ -1,5 +1,6 @@
 #include "adapters/povray/povray.h"
 
+#include "adapters/detail_images.h"
 #include "adapters/environment_image.h"
 #include "adapters/exporter.h"
 #include "adapters/format_limits.h"
@@ -10,7 +11,6 @@
 #include "adapters/povray/meshes.h"
 #include "adapters/povray/sdl.h"
 #include "adapters/povray/shapes.h"
-#include "adapters/tinted_image.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "base/nth.h"
@@ -264,7 +264,7 @@ void write_povray(const scene::Scene& given,
               [&] { write_texture(texture, folder / povray::texture_copy(scene, index, stem)); });
   }
   for (const int index : scene::visible_materials(scene))
-    if (material_at(scene, index).detail.opacity_texture) write_opacity(scene, index, folder, stem);
+    write_detail_images(scene, index, file, MirrorImages::Beside);
   if (scene.environment.map)
     image::write_exr(turned_environment(scene).image, folder / povray::environment_file(stem));
   if (!text.meshes.text.empty()) write_file(folder / (stem + "-meshes.inc"), text.meshes.text);
