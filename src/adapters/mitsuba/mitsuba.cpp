@@ -229,7 +229,11 @@ class Writer {
       return text;
     }
     const std::string name = fmt::format("mesh{}", index);
-    if (shown.places.size() == 1)
+    // A mesh that a matrix mirrors has its triangles the other way round than its vertex normals: Mitsuba's
+    // bump maps take the side of the triangles. Within an instance both are mirrored together.
+    const bool is_turned_over =
+        turns_normals(material_at(scene_, shown.material).detail) && determinant3(shown.places.front()) < 0;
+    if (shown.places.size() == 1 && !is_turned_over)
       return text + shape(flipped_v(shown.mesh), name, shown.material, to_world(shown.places[0]));
     text += fmt::format("<shape type=\"shapegroup\" id=\"{}\">\n{}</shape>\n", name,
                         shape(flipped_v(shown.mesh), name, shown.material, ""));

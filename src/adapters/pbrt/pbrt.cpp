@@ -12,6 +12,7 @@
 #include "adapters/pbrt/profile_image.h"
 #include "adapters/pbrt/small_light.h"
 #include "adapters/tinted_image.h"
+#include "adapters/uv_frames.h"
 #include "base/files.h"
 #include "base/nth.h"
 #include "image/image_io.h"
@@ -170,7 +171,9 @@ class Writer {
     const auto& model = material_at(scene_, shown.material).model;
     const auto* emission = std::get_if<scene::Emission>(&model);
     std::string text = fmt::format("# mesh {}\n", comment_text(shown.mesh.name));
-    if (emission != nullptr || shown.places.size() == 1) {
+    // In an instance pbrt finds how points move with u and v before the matrix mirrors and stretches them.
+    const bool is_raised = material_at(scene_, shown.material).detail.bump_map.has_value();
+    if (emission != nullptr || (shown.places.size() == 1 && !is_raised)) {
       const std::string emitter =
           emission == nullptr ? ""
                               : fmt::format("  AreaLightSource \"diffuse\" {} \"bool twosided\" true\n",
@@ -225,6 +228,16 @@ std::string back_limit(const scene::Scene& scene, const MaterialMesh& shown) {
       shown.mesh.name, material.name);
 }
 
+// Of what moves a point with v pbrt makes normal x (what moves it with u).
+std::string bump_limit(const scene::Scene& scene, const MaterialMesh& shown) {
+  const auto& material = material_at(scene, shown.material);
+  if (!material.detail.bump_map || has_square_frames(shown.mesh)) return "";
+  return fmt::format(
+      "mesh '{}' has the bump map of '{}' with v that is mirrored, or longer or shorter than u: pbrt takes u "
+      "turned by a quarter for v",
+      shown.mesh.name, material.name);
+}
+
 std::string reflecting_limit(const scene::Light& light, const std::string& display_name) {
   if (light.reflectance == scene::RgbColour{}) return "";
   return display_name + " reflects where it shines: pbrt's diffuse surfaces reflect on both sides";
@@ -268,7 +281,10 @@ std::vector<std::string> pbrt_limits(const scene::Scene& scene) {
     note(reflecting_limit(scene.lights[i], name));
   }
   const auto meshes = material_meshes(scene);
-  for (const MaterialMesh& shown : meshes) note(back_limit(scene, shown));
+  for (const MaterialMesh& shown : meshes) {
+    note(back_limit(scene, shown));
+    note(bump_limit(scene, shown));
+  }
   note(pbrt::small_light_limit(scene, meshes));
   return reasons;
 }
