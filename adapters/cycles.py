@@ -29,6 +29,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import cycles_devices  # noqa: E402
 import cycles_environment  # noqa: E402
 import cycles_ies  # noqa: E402
+import cycles_layers  # noqa: E402
 import cycles_lights  # noqa: E402
 import cycles_materials  # noqa: E402
 import cycles_meshes  # noqa: E402
@@ -59,10 +60,10 @@ def main():
         with open(arguments.scene, encoding="utf-8") as file:
             scene = json.load(file)
         cycles_devices.choose_device(arguments.device)
-        build(scene, os.path.dirname(os.path.abspath(arguments.scene)), arguments.scale)
+        scale = build(scene, os.path.dirname(os.path.abspath(arguments.scene)), arguments.scale)
         integrator = checked(scene.get("integrator", {}), "integrator", [], ["trace_depth"])
         cycles_render.set_integrator(integrator.get("trace_depth", 5), arguments)
-        cycles_render.render(os.path.abspath(arguments.output))
+        cycles_render.render(os.path.abspath(arguments.output), cycles_layers.prepared_layers(scene, scale))
     except (OSError, ValueError, KeyError, TypeError, RuntimeError) as error:
         print(f"cycles.py: error: {arguments.scene}: {' '.join(str(error).split())}", file=sys.stderr, flush=True)
         sys.exit(2)
@@ -100,7 +101,7 @@ def named(table, name, place):
 def build(scene, folder, scale_option):
     checked(scene, "scene", ["format", "name", "camera"],
             ["environment", "textures", "materials", "meshes", "instances", "lights", "integrator",
-             "outputs"])  # fmt: skip  # "outputs" is ignored: only the colour is written.
+             "outputs"])  # fmt: skip  # Of "outputs" the layers of surfaces are written; others are ignored.
     if scene["format"] != "orbs-scene/1":
         raise SceneError(f"format must be orbs-scene/1, is {scene['format']}")
     bpy.ops.wm.read_factory_settings(use_empty=True)
@@ -133,6 +134,7 @@ def build(scene, folder, scale_option):
         cycles_lights.add_light(light, f"point light {index}", world_matrix(matrix, scale), scale, ies)
     # Cycles' roulette would act on the factor 1 / ior^2 that a path carries in glass, which only adds noise.
     bpy.context.scene.cycles.min_light_bounces = 1024 if scales_radiance else 0
+    return scale
 
 
 def checked_material(material):

@@ -7,6 +7,9 @@ import time
 
 import bpy
 
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import cycles_layers  # noqa: E402
+
 MOST_BOUNCES = 1024  # Blender accepts no more.
 
 
@@ -59,8 +62,9 @@ def set_integrator(depth, arguments):
     cycles.min_light_bounces = min(cycles.min_light_bounces, depth)
 
 
-def render(output):
-    """Renders linear radiance into `output`, which appears only when complete."""
+def render(output, layers=None):
+    """Renders linear radiance into `output`, which appears only when complete. `layers`: names and scale of layers of
+    surfaces that it holds as well (cycles_layers.py)."""
     scene = bpy.context.scene
     image = scene.render.image_settings
     image.file_format, image.color_mode, image.color_depth, image.exr_codec = "OPEN_EXR", "RGB", "32", "ZIP"
@@ -68,18 +72,24 @@ def render(output):
     scene.view_settings.exposure, scene.view_settings.gamma = 0.0, 1.0
     scene.render.resolution_percentage = 100
     scene.render.pixel_aspect_x = scene.render.pixel_aspect_y = 1.0
-    scene.render.film_transparent = False
+    scene.render.film_transparent = bool(layers) and "coverage" in layers[0]
     scene.render.use_compositing = scene.render.use_sequencer = False
     scene.render.dither_intensity = 0.0
     for name in dir(scene.render):
         if name.startswith("use_stamp"):
             setattr(scene.render, name, False)  # no dates and durations in the file: same image, same bytes
+    temporary = f"{output}.{os.getpid()}.part"
+    folder, stem = os.path.split(temporary)
+    if layers:
+        cycles_layers.add_output(*layers, folder, stem)
     start = time.perf_counter()
     bpy.ops.render.render()
     print(f"orbs: render_seconds {time.perf_counter() - start:.6f}", flush=True)
     # save_render and not write_still, which takes a # in a path for the frame number.
-    temporary = f"{output}.{os.getpid()}.part"
-    bpy.data.images["Render Result"].save_render(temporary, scene=scene)
+    if layers:
+        os.replace(cycles_layers.written_file(folder, stem), temporary)
+    else:
+        bpy.data.images["Render Result"].save_render(temporary, scene=scene)
     if not os.path.exists(temporary):
         raise ValueError("Blender wrote no image")
     os.replace(temporary, output)

@@ -140,6 +140,7 @@ Job make_job(const registry::Renderer& renderer,
   job.seed = strided_seed(renderer, settings.seed);
   job.image = last_image(renderer, output, job.seed);
   job.fails_on = renderer.command.fails_on;
+  job.channel_names = renderer.image_names.channels;
   if (settings.scene_file.empty()) job.channels = image_channels(renderer.format.name, scene);
   registry::Placeholders values{{"executable", settings.executable.string()},
                                 {"scene", job.scene_file.string()},

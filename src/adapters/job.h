@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,10 +24,11 @@ struct Job {
   int width_px = 0;
   int height_px = 0;
   int spp = 0;
-  std::int64_t seed = 0;                     // as the renderer gets it
-  bool may_be_negative = false;              // its pixels
-  ImageChannels channels = kColourChannels;  // of its image, which hold R, G and B
-  std::vector<std::string> fails_on{};       // patterns for lines of its output
+  std::int64_t seed = 0;                               // as the renderer gets it
+  bool may_be_negative = false;                        // its pixels
+  ImageChannels channels = kColourChannels;            // of its image, which hold R, G and B
+  std::map<std::string, std::string> channel_names{};  // of others, by ours; see registry::ImageNames
+  std::vector<std::string> fails_on{};                 // patterns for lines of its output
   // Proof that an image belongs to this render; an empty member is not checked.
   std::string id;                                              // given to the renderer as ORBS_JOB
   std::string scene_file_hash;                                 // hash_text of scene_file's bytes

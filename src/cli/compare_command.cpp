@@ -4,6 +4,7 @@
 #include "cli/compare_folders.h"
 #include "cli/compare_images.h"
 #include "cli/program.h"
+#include "image/layers.h"
 #include "json/writer.h"
 #include "judge/difference.h"
 #include "metrics/compare.h"
@@ -17,6 +18,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace orbs::cli {
 
@@ -35,14 +37,46 @@ void print_measurement(const metrics::Measurement& measurement, bool definitions
   if (definitions) print_clean("    {}\n", metric.definition);
 }
 
-void print_json(const CompareOptions& options,
-                const metrics::Comparison& comparison,
-                const std::vector<std::string>& remarks,
-                bool is_within) {
+// What the images hold beside their colour: "depth.Z", "S1.R". Ranges of layers only on demand.
+void print_channels(metrics::ChannelDifferences channels, bool with_ranges) {
+  if (!with_ranges) {
+    std::erase_if(channels.both, [](const auto& channel) { return image::is_range(channel.name); });
+    std::erase_if(channels.only_result, image::is_range);
+    std::erase_if(channels.only_reference, image::is_range);
+  }
+  if (!channels.both.empty())
+    print_clean("{:<20} {:>14} {:>14} {:>14}  {:<14} {}\n", "channel", "mean", "of reference", "largest off",
+                "at", "pixels off");
+  for (const auto& channel : channels.both)
+    print_clean("{:<20} {:>14.7g} {:>14.7g} {:>14.4g}  {:<14} {}\n", channel.name, channel.result_mean,
+                channel.reference_mean, channel.largest,
+                channel.pixels == 0 ? "" : fmt::format("({}, {})", channel.x, channel.y), channel.pixels);
+  if (!channels.only_result.empty())
+    print_clean("only in the image: {}\n", fmt::join(channels.only_result, ", "));
+  if (!channels.only_reference.empty())
+    print_clean("only in the reference: {}\n", fmt::join(channels.only_reference, ", "));
+}
+
+void write_channels(json::Writer& out, const metrics::ChannelDifferences& channels) {
+  out.key("channels").begin_array();
+  for (const auto& channel : channels.both) {
+    out.begin_object().member("name", channel.name).member("mean", channel.result_mean);
+    out.member("reference_mean", channel.reference_mean).key("largest");
+    if (std::isinf(channel.largest))
+      out.value("infinite");
+    else
+      out.value(channel.largest);
+    out.member("x", channel.x).member("y", channel.y);
+    out.member("pixels", static_cast<double>(channel.pixels)).end_object();
+  }
+  out.end_array();
+}
+
+void print_json(const CompareOptions& options, const ComparedImages& compared, bool is_within) {
   json::Writer out;
   out.begin_object().member("format", "orbs-comparison/1").member("image", options.first);
   out.member("reference", options.second).key("metrics").begin_array();
-  for (const auto& measurement : comparison.measurements) {
+  for (const auto& measurement : compared.comparison.measurements) {
     const auto& metric = *measurement.metric;
     out.begin_object().member("name", metric.name).key("value");
     // JSON holds no infinite number; the word is that of results.json.
@@ -61,8 +95,9 @@ void print_json(const CompareOptions& options,
   }
   out.end_array();
   out.key("remarks").begin_array();
-  for (const auto& remark : remarks) out.value(remark);
+  for (const auto& remark : compared.remarks) out.value(remark);
   out.end_array();
+  write_channels(out, compared.channels);
   if (!options.metric.empty()) out.member("within_tolerance", is_within);
   print_raw(stdout, out.end_object().text());
 }
@@ -78,11 +113,12 @@ int compare_files(const CompareOptions& options) {
   const bool is_within =
       options.metric.empty() || !is_beyond(options, metrics::value_of(compared.comparison, options.metric));
   if (options.as_json) {
-    print_json(options, compared.comparison, compared.remarks, is_within);
+    print_json(options, compared, is_within);
     return is_within ? 0 : 1;
   }
   for (const auto& measurement : compared.comparison.measurements)
     print_measurement(measurement, options.definitions);
+  print_channels(compared.channels, options.all);
   for (const auto& remark : compared.remarks) print_clean("{}\n", remark);
   if (!is_within) print_clean("{}\n", tolerance_text(options));
   return is_within ? 0 : 1;

@@ -35,7 +35,7 @@ void check_variances(const image::Image& image, const std::string& file) {
 ComparedImages compare_images(const std::string& first,
                               const std::string& second,
                               const CompareOptions& options) {
-  ComparedImages compared{read_linear(first), read_linear(second), {}, {}};
+  ComparedImages compared{read_linear(first), read_linear(second), {}, {}, {}};
   check_variances(compared.first, first);
   check_variances(compared.second, second);
   const auto alignment =
@@ -47,6 +47,7 @@ ComparedImages compare_images(const std::string& first,
   metrics::MetricSelection selection{.all = options.all};
   if (!options.metric.empty()) selection.also = {options.metric};
   compared.comparison = metrics::compare(pair, selection);
+  compared.channels = metrics::channel_differences(compared.first, compared.second);
   compared.remarks = metrics::bias_remarks(pair.noise);
   return compared;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "metrics/channel_differences.h"
 #include "metrics/compare.h"
 
 #include <optional>
@@ -27,7 +28,8 @@ struct ComparedImages {
   image::Image first;  // linear
   image::Image second;
   metrics::Comparison comparison;
-  std::vector<std::string> remarks;  // on what is left beside noise; none where the images state no noise
+  metrics::ChannelDifferences channels;  // of those that are no colour
+  std::vector<std::string> remarks;      // on what is left beside noise; none where the images state no noise
 };
 
 /// Reads both and compares them by the metrics that `options` want. InputError where one cannot be read, or

@@ -247,7 +247,7 @@ std::string encoded_exr(const Image& image, Precision precision, Compression com
   for (std::size_t c = 0; c < count; ++c) {
     const auto& name = image.channels[c];
     const float* floats = &image.pixels[c];
-    const bool is_half = precision == Precision::Half && !is_variance(name);
+    const bool is_half = precision == Precision::Half && !stays_float(name);
     header.channels().insert(name, Imf::Channel(is_half ? Imf::HALF : Imf::FLOAT));
     if (is_half) {
       for (std::size_t i = 0; i < image.pixel_count(); ++i) halves[c].push_back(half_bits(floats[i * count]));

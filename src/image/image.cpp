@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -23,8 +24,6 @@ int channel_index(const Image& image, std::string_view name) {
   const auto found = std::find(image.channels.begin(), image.channels.end(), name);
   return found == image.channels.end() ? -1 : static_cast<int>(found - image.channels.begin());
 }
-
-bool is_variance(std::string_view channel) { return channel.starts_with("variance."); }
 
 Image select_rgb(const Image& image, std::string_view prefix) {
   return select_channels(
@@ -58,6 +57,58 @@ bool has_same_colours(const Image& a, const Image& b) {
   return a.width == b.width && a.height == b.height && select_rgb(a, "").pixels == select_rgb(b, "").pixels;
 }
 
+namespace {
+
+// Of the pixels of one that is made of several: what combination_of says.
+struct Combined {
+  double sum = 0;
+  double weight = 0;
+  double least = std::numeric_limits<double>::infinity();
+  double most = -std::numeric_limits<double>::infinity();
+  double first = 0;
+};
+
+double value_of(const Combined& pixels, Combination combination, double count) {
+  switch (combination) {
+    case Combination::Mean:
+      return pixels.sum * (1 / count);
+    case Combination::VarianceOfMean:
+      return pixels.sum * (1 / (count * count));
+    case Combination::CoveredMean:
+      return pixels.weight > 0 ? pixels.sum / pixels.weight : 0;
+    case Combination::Least:
+      return pixels.weight > 0 ? pixels.least : 0;
+    case Combination::Most:
+      return pixels.weight > 0 ? pixels.most : 0;
+    case Combination::First:
+      return pixels.first;
+  }
+  return 0;
+}
+
+// The pixel beside the middle of `divisor` x `divisor` pixels is the one that tells what is there.
+Combined combined_pixels(const Image& image, int x, int y, int divisor, std::size_t channel) {
+  const auto combination = combination_of(image.channels[channel]);
+  const bool by_coverage = combination != Combination::Mean && combination != Combination::VarianceOfMean;
+  const int coverage = by_coverage ? channel_index(image, "coverage.A") : -1;
+  Combined out;
+  out.first = static_cast<double>(image.at(x * divisor + divisor / 2, y * divisor + divisor / 2, channel));
+  for (int v = y * divisor; v < (y + 1) * divisor; ++v)
+    for (int u = x * divisor; u < (x + 1) * divisor; ++u) {
+      const double weight =
+          coverage < 0 ? 1 : static_cast<double>(image.at(u, v, static_cast<std::size_t>(coverage)));
+      if (weight == 0) continue;
+      const double value = static_cast<double>(image.at(u, v, channel));
+      out.sum += weight * value;
+      out.weight += weight;
+      out.least = std::min(out.least, value);
+      out.most = std::max(out.most, value);
+    }
+  return out;
+}
+
+}  // namespace
+
 Image reduced_image(const Image& image, int divisor) {
   if (image.width % divisor != 0 || image.height % divisor != 0)
     throw InputError(fmt::format("its {} x {} px cannot be divided by {} in both directions", image.width,
@@ -66,14 +117,11 @@ Image reduced_image(const Image& image, int divisor) {
   reduced.attributes = image.attributes;
   const double count = static_cast<double>(divisor) * divisor;
   for (std::size_t c = 0; c < image.channel_count(); ++c) {
-    const double scale = is_variance(image.channels[c]) ? 1 / (count * count) : 1 / count;
+    const auto combination = combination_of(image.channels[c]);
     for (int y = 0; y < reduced.height; ++y)
-      for (int x = 0; x < reduced.width; ++x) {
-        double sum = 0;
-        for (int v = y * divisor; v < (y + 1) * divisor; ++v)
-          for (int u = x * divisor; u < (x + 1) * divisor; ++u) sum += static_cast<double>(image.at(u, v, c));
-        reduced.at(x, y, c) = static_cast<float>(sum * scale);
-      }
+      for (int x = 0; x < reduced.width; ++x)
+        reduced.at(x, y, c) =
+            static_cast<float>(value_of(combined_pixels(image, x, y, divisor, c), combination, count));
   }
   return reduced;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "image/layers.h"
+
 #include <array>
 #include <cstddef>
 #include <map>
@@ -35,8 +37,9 @@ struct Image {
   }
 };
 
-/// Of the pixels in an EXR file. Half: 16-bit floats, but for channels "variance.*", which stay 32-bit
-/// floats, because variances span more decades than half floats have. Float: all as they are.
+/// Of the pixels in an EXR file. Half: 16-bit floats, but for channels "variance.*" and those of layers
+/// (layers.h), which stay 32-bit floats: variances span more decades than half floats have, and the digits of
+/// depths and numbers count. Float: all as they are.
 enum class Precision { Half, Float };
 
 /// Of an EXR file. Zip loses nothing; None is for readers of a few lines.
@@ -47,9 +50,6 @@ Image make_image(int width, int height, std::vector<std::string> channels);
 
 /// Index of a channel, -1 when the image has none of that name.
 int channel_index(const Image& image, std::string_view name);
-
-/// Whether the channel holds the variance of another one.
-bool is_variance(std::string_view channel);
 
 /// The channels `prefix`R, `prefix`G, `prefix`B alone as an image with channels R, G, B ("" for the colour
 /// itself, "variance." for its variance). InputError when one is missing.

@@ -162,7 +162,7 @@ void check_range_of_half(const Image& image) {
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     const float value = image.pixels[i];
     if (!std::isfinite(value) || std::fabs(value) < kFirstBeyondHalf) continue;
-    if (is_variance(image.channels[i % image.channel_count()])) continue;  // stays a float
+    if (stays_float(image.channels[i % image.channel_count()])) continue;
     const std::size_t pixel = i / image.channel_count();
     const auto width = static_cast<std::size_t>(image.width);
     throw InputError(

@@ -42,7 +42,7 @@ Comparison compare(const ImagePair& pair, const MetricSelection& selection) {
     MetricResult computed = metric.compute(pair);
     comparison.measurements.push_back({&metric, computed.value, computed.where, computed.low, computed.high,
                                        computed.absence, computed.what, computed.to_pass});
-    if (!metric.map.name.empty() && !has_map(comparison, metric.map.name))
+    if (!metric.map.name.empty() && !computed.map.pixels.empty() && !has_map(comparison, metric.map.name))
       comparison.maps.push_back({metric.map, std::move(computed.map)});
   }
   comparison.bias_remarks = bias_remarks(pair.noise);

@@ -1,6 +1,7 @@
 #include "metrics/merged_renders.h"
 
 #include "base/error.h"
+#include "image/layers.h"
 #include "metrics/seeds.h"
 
 #include <cstddef>
@@ -39,6 +40,7 @@ struct Channel {
   std::size_t own = 0;
   std::size_t in_render = 0;
   bool is_variance = false;
+  bool is_of_first = false;  // the layers of surfaces stay those of the first render
 };
 
 std::vector<Channel> channels_of(const MergedRenders& merged, const image::Image& render) {
@@ -48,7 +50,8 @@ std::vector<Channel> channels_of(const MergedRenders& merged, const image::Image
     const auto& name = merged.mean.channels[c];
     const bool is_variance = image::is_variance(name);
     const bool is_by_scatter = is_variance && !merged.states_variance;
-    channels.push_back({c, index_in(render, is_by_scatter ? name.substr(kPrefix) : name), is_variance});
+    channels.push_back({c, index_in(render, is_by_scatter ? name.substr(kPrefix) : name), is_variance,
+                        image::is_layer_channel(name)});
   }
   return channels;
 }
@@ -80,6 +83,7 @@ void add_render(MergedRenders& merged, const image::Image& render, int spp) {
   const auto channels = channels_of(merged, render);
   const auto next = [&](std::size_t pixel, const Channel& channel) {
     const double before = static_cast<double>(mean.pixels[pixel * mean.channel_count() + channel.own]);
+    if (channel.is_of_first) return before;
     const double value =
         static_cast<double>(render.pixels[pixel * render.channel_count() + channel.in_render]);
     if (!channel.is_variance) return before + (value - before) * n.added / n.all();

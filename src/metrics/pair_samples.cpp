@@ -98,6 +98,7 @@ PairSamples pair_samples(const image::Image& result,
   samples.reference_variance = variances_of(reference);
   samples.result_stokes = stokes_of(result);
   samples.reference_stokes = stokes_of(reference);
+  samples.layers = layer_samples(result, reference);
   if (result_noise == ResultNoise::NoiseFree) {
     samples.noise_source = NoiseSource::Reference;
     return samples;

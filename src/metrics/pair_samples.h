@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "metrics/layer_samples.h"
 #include "metrics/mask.h"
 
 #include <array>
@@ -46,6 +47,7 @@ struct PairSamples {
   int looks = 1;
   std::optional<StokesSamples> result_stokes;  // nothing where the image has no Stokes parameters
   std::optional<StokesSamples> reference_stokes;
+  std::optional<LayerSamples> layers;  // nothing where the reference holds none
   std::vector<std::uint8_t> included;  // 1: the pixel counts
   std::size_t included_count = 0;
 

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "image/layers.h"
 
 #include <algorithm>
 #include <array>
@@ -139,6 +140,10 @@ image::Image mean_and_variance_of(const std::vector<image::Image>& images) {
         return static_cast<double>(
             images[k].pixels[pixel * images[k].channel_count() + layers[i].index_in[k]]);
       };
+      if (image::is_layer_channel(layers[i].name)) {
+        out.pixels[pixel * layers.size() + i] = static_cast<float>(value_in(0));
+        continue;
+      }
       double mean = 0;
       for (std::size_t k = 0; k < images.size(); ++k) mean += value_in(k);
       mean /= count;

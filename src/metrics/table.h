@@ -11,6 +11,7 @@
 #include "metrics/ssim.h"
 #include "metrics/ssim_jeri.h"
 #include "metrics/stokes.h"
+#include "metrics/surface_layers.h"
 #include "metrics/window_numbers.h"
 #include "metrics/worst_tile.h"
 
@@ -22,42 +23,16 @@ namespace orbs::metrics {
 /// Every number by which two images are compared; each can be a gate. To add one: its file, and its line
 /// here.
 inline constexpr std::array kMetrics{
-    kL1,
-    kMse,
-    kPsnrSrgb8,
-    kPsnrLinear,
-    kSsim,
-    kRelMse,
-    kRelMseTrimmed,
-    kSmape,
-    kErrorP95,
-    kErrorP99,
-    kErrorMax,
-    kWorstTile,
-    kFlip,
-    kHdrFlip,
-    kPsnrPu21,
-    kSsimJeri,
-    kMeanRatioR,
-    kMeanRatioG,
-    kMeanRatioB,
-    kLocalBias,
-    kWindowError8,
-    kWindowError16,
-    kWindowError64,
-    kPatternError,
-    kEdgeBlur,
-    kStokesError,
-    kStokesScaleError,
-    kNoiseSquared,
-    kBiasSquared,
-    kSharedNoise,
-    kBlocksOff,
-    kBlockZMax,
-    kSmallestError16,
-    kSmallestError64,
-    kPixelZMax,
-    kPixelsBeyond3,
+    kL1,           kMse,           kPsnrSrgb8,        kPsnrLinear,
+    kSsim,         kRelMse,        kRelMseTrimmed,    kSmape,
+    kErrorP95,     kErrorP99,      kErrorMax,         kWorstTile,
+    kFlip,         kHdrFlip,       kPsnrPu21,         kSsimJeri,
+    kMeanRatioR,   kMeanRatioG,    kMeanRatioB,       kLocalBias,
+    kWindowError8, kWindowError16, kWindowError64,    kPatternError,
+    kEdgeBlur,     kStokesError,   kStokesScaleError, kLayerPixels,
+    kLayerError,   kNoiseSquared,  kBiasSquared,      kSharedNoise,
+    kBlocksOff,    kBlockZMax,     kSmallestError16,  kSmallestError64,
+    kPixelZMax,    kPixelsBeyond3,
 };
 
 /// The metric of this name. InputError that lists the metrics when there is none.

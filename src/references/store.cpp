@@ -4,6 +4,7 @@
 #include "base/local_time.h"
 #include "base/text.h"
 #include "image/image_io.h"
+#include "image/layers.h"
 #include "image/reduced_precision.h"
 #include "judge/provenance.h"
 #include "references/history.h"
@@ -113,7 +114,8 @@ image::Image shortened_image(const image::Image& image) {
   std::vector<std::string> channels{"R", "G", "B", "variance.R", "variance.G", "variance.B"};
   // S0 is the colour itself.
   for (const auto& name : image.channels)
-    if (name.starts_with("S") && !name.starts_with("S0.")) channels.push_back(name);
+    if ((name.starts_with("S") && !name.starts_with("S0.")) || image::is_layer_channel(name))
+      channels.push_back(name);
   auto out = image::make_image(image.width, image.height, channels);
   out.attributes = image.attributes;
   const auto colour = image::select_rgb(image, "");
@@ -128,19 +130,25 @@ image::Image shortened_image(const image::Image& image) {
     }
   for (std::size_t c = 6; c < channels.size(); ++c) {
     const auto from = static_cast<std::size_t>(image::channel_index(image, channels[c]));
-    for (std::size_t pixel = 0; pixel < out.pixel_count(); ++pixel)
+    for (std::size_t pixel = 0; pixel < out.pixel_count(); ++pixel) {
+      const float value = image.pixels[image.channel_count() * pixel + from];
       out.pixels[channels.size() * pixel + c] =
-          image::rounded_to_bits(image.pixels[image.channel_count() * pixel + from], kColourBits);
+          image::stays_float(channels[c]) ? value : image::rounded_to_bits(value, kColourBits);
+    }
   }
   return out;
 }
 
 image::Precision precision_of(const image::Image& image) {
   constexpr float kStep = 1.0F / 2048;  // half of the last of 11 bits, for colours that are not rounded
-  const bool fits = std::all_of(image.pixels.begin(), image.pixels.end(), [](float x) {
+  const auto is_half = [](float x) {
     return std::fabs(x) <= image::kLargestHalf &&
            std::fabs(image::float_of_half(image::half_bits(x)) - x) <= kStep * std::fabs(x);
-  });
+  };
+  bool fits = true;
+  for (std::size_t i = 0; i < image.pixels.size(); ++i)
+    fits = fits &&
+           (image::is_layer_channel(image.channels[i % image.channel_count()]) || is_half(image.pixels[i]));
   return fits ? image::Precision::Half : image::Precision::Float;
 }
 

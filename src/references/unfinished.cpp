@@ -4,6 +4,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "image/image_io.h"
+#include "image/layers.h"
 #include "judge/provenance.h"
 #include "run/plan/scenes.h"
 #include "scene/load/load_scene.h"
@@ -25,10 +26,14 @@ void add_pass(PassSum& sum, const image::Image& image, const Pass& pass) {
   }
   const std::size_t count = image.channel_count();
   for (std::size_t c = 0; c < count; ++c) {
+    // Layers of surfaces are those of the first pass: numbers of things have no mean.
+    const bool is_layer = image::is_layer_channel(image.channels[c]);
+    if (is_layer && !sum.passes.empty()) continue;
     auto& values = sum.channels[image.channels[c]];
     values.resize(image.pixel_count());
-    const double weight =
-        image::is_variance(image.channels[c]) ? static_cast<double>(pass.spp) * pass.spp : pass.spp;
+    const double weight = is_layer                                ? 1
+                          : image::is_variance(image.channels[c]) ? static_cast<double>(pass.spp) * pass.spp
+                                                                  : pass.spp;
     for (std::size_t pixel = 0; pixel < values.size(); ++pixel)
       values[pixel] += weight * static_cast<double>(image.pixels[pixel * count + c]);
   }
@@ -47,7 +52,9 @@ image::Image mean_image(const PassSum& sum) {
   image.attributes = sum.attributes;
   for (std::size_t c = 0; c < names.size(); ++c) {
     const auto& values = sum.channels.at(names[c]);
-    const double weight = image::is_variance(names[c]) ? static_cast<double>(sum.spp) * sum.spp : sum.spp;
+    const double weight = image::is_layer_channel(names[c]) ? 1
+                          : image::is_variance(names[c])    ? static_cast<double>(sum.spp) * sum.spp
+                                                            : sum.spp;
     for (std::size_t pixel = 0; pixel < values.size(); ++pixel)
       image.pixels[pixel * names.size() + c] = static_cast<float>(values[pixel] / weight);
   }

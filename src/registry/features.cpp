@@ -33,6 +33,7 @@ constexpr std::array kGroups{Group{'G', 5, "geometry"},
                              Group{'D', 6, "distant and point lights"},
                              Group{'E', 6, "effects of light"},
                              Group{'N', 6, "textures and surface detail"},
+                             Group{'V', 1, "layers"},
                              Group{'S', 7, "shapes"},
                              Group{'T', 3, "motion"},
                              Group{'I', 2, "integrators"}};

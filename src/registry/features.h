@@ -43,8 +43,8 @@ std::string_view what_of_group(char letter);
 
 /// InputError, with those that there are, when a requirement is none of G1 to G5, M1 to M8, L1 to L4, A1 to
 /// A4 of ORB.S, B1 to B9, appearance, C1 to C5, cameras, D1 to D4, lights without an area, E1 to E6, effects
-/// of light, N1 to N6, textures and surface detail, S1 to S7, shapes by their formula, T1 to T3, motion, and
-/// I1 and I2, integrators.
+/// of light, N1 to N6, textures and surface detail, V1, layers of surfaces, S1 to S7, shapes by their
+/// formula, T1 to T3, motion, and I1 and I2, integrators.
 void refuse_unknown(RequirementCode code);
 void refuse_unknown(const FeatureSet& features);
 

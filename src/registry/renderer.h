@@ -235,6 +235,18 @@ void fields(Visitor& visit, Record& sampling) {
          .changes_image = false});
 }
 
+/// What its images hold.
+struct ImageNames {
+  std::map<std::string, std::string> channels;  // by our name, "depth.Z"; empty: it has our names
+};
+
+template <class Visitor, json::RecordOf<ImageNames> Record>
+void fields(Visitor& visit, Record& names) {
+  visit("channels", names.channels,
+        {.help = "What its images call channels by another name: `{\"R\": \"beauty.R\", \"depth.Z\": "
+                 "\"z.V\"}`. One that an image holds by our name stays, and one that it lacks is left out"});
+}
+
 /// Where a renderer says how long it has rendered, start and files not counted: in its output or in a file.
 /// Nothing is looked for where both are "".
 struct RenderSeconds {
@@ -304,6 +316,7 @@ struct Renderer {
   SceneFormat format;
   Support support;
   Sampling sampling;
+  ImageNames image_names;
   Timing timing;
   ProcessLimits limits;             // those of the file, with the entry's own in their place
   bool is_only_when_named = false;  // it is none of all renderers
@@ -323,6 +336,7 @@ void fields(Visitor& visit, Record& renderer) {
   fields(visit, renderer.support);
   fields(visit, renderer.format);
   fields(visit, renderer.sampling);
+  fields(visit, renderer.image_names);
   fields(visit, renderer.timing);
 }
 

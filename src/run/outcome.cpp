@@ -209,10 +209,23 @@ Outcome channels_outcome(const adapters::Job& job, const image::Image& image, co
   return {};
 }
 
+// Whether any channel got another name: those that the image lacks by our name and has by the renderer's.
+bool rename_channels(image::Image& image, const std::map<std::string, std::string>& names) {
+  bool has_renamed = false;
+  for (const auto& [ours, theirs] : names) {
+    const int index = image::channel_index(image, theirs);
+    if (index < 0 || image::channel_index(image, ours) >= 0) continue;
+    image.channels[static_cast<std::size_t>(index)] = ours;
+    has_renamed = true;
+  }
+  return has_renamed;
+}
+
 Outcome image_outcome(const adapters::Job& job) {
   const auto name = job.image.filename().string();
   if (auto outcome = file_outcome(job, name); outcome.kind != JobOutcome::Image) return outcome;
   image::Image image;
+  bool is_as_written = true;
   try {
     // Before a pixel is decoded: two megabytes can stand for two gigabytes.
     const auto header = image::read_header(job.image);
@@ -228,12 +241,14 @@ Outcome image_outcome(const adapters::Job& job) {
       auto colours = image::select_channels(image, job.channels);
       colours.attributes = image.attributes;
       image = std::move(colours);
+      is_as_written = false;
     }
+    if (rename_channels(image, job.channel_names)) is_as_written = false;
   } catch (const InputError& e) {
     return {JobOutcome::Unreadable, named_within(job.folder, e.what()), {}};
   }
   if (auto outcome = check_pixels(job, image, name); outcome.kind != JobOutcome::Image) return outcome;
-  return {JobOutcome::Image, "", std::move(image)};
+  return {JobOutcome::Image, "", std::move(image), is_as_written};
 }
 
 }  // namespace

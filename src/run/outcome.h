@@ -16,6 +16,7 @@ struct Outcome {
   results::JobOutcome kind = results::JobOutcome::Image;
   std::string reason;
   std::optional<image::Image> image;
+  bool is_as_written = true;  // false: its file has other names for its channels, or more of them
 };
 
 /// The first of these that applies, in this fixed order: could not start, ended by us (a limit, an

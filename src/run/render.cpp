@@ -268,8 +268,8 @@ Rendered render(const RenderJob& job, const std::atomic<bool>* stop) {
     }
     if (job.replicas.size() > 1) {
       images.push_back(std::move(*rendered.outcome.image));
-    } else if (replica.channels != adapters::kColourChannels) {
-      // All who read the file later expect R, G and B.
+    } else if (!rendered.outcome.is_as_written) {
+      // All who read the file later expect our names.
       image::write_exr(*rendered.outcome.image, replica.image);
     }
   }

@@ -91,8 +91,9 @@ struct Sphere {
 
 /// Layers that the image holds beside the colour.
 struct Outputs {
-  bool stokes = false;        // S0 to S3 in the camera's frame
-  bool path_classes = false;  // one layer for each class of light path
+  bool stokes = false;                // S0 to S3 in the camera's frame
+  bool path_classes = false;          // one layer for each class of light path
+  std::vector<std::string> layers{};  // names of image::kLayers, each once
   bool operator==(const Outputs&) const = default;
 };
 

@@ -5,6 +5,7 @@
 #include "scene/load/load_scene.h"
 #include "scene/render_fault.h"
 #include "tracer/choose_light.h"
+#include "tracer/integrator/surface_layers.h"
 #include "tracer/learn_light_guides.h"
 #include "tracer/learn_light_selection.h"
 #include "tracer/plugins/plugin_library.h"
@@ -197,6 +198,7 @@ int run(const Options& options) {
   ProgressLine line(options.as_json);
   auto rendering = tracer::render(world, render_settings(options, scene), stop,
                                   [&](const tracer::Progress& p) { line.show(p); });
+  tracer::add_surface_layers(world, scene, render_settings(options, scene), rendering);
   line.finish();
   add_trials(rendering, trials);
   stamp(rendering, options, scene, world, ORBS_VERSION);

@@ -58,6 +58,8 @@ void stamp(tracer::Rendering& rendering,
     header["orbs.stokes"] =
         "S0 to S3 in the frame of the image, for a viewer who faces the source: S1 > 0 horizontal, S2 > 0 at "
         "+45 degrees (right and up), S3 > 0 right-circular (the field rotates clockwise)";
+  if (!scene.outputs.layers.empty())
+    header["orbs.layers"] = fmt::format("{}", fmt::join(scene.outputs.layers, " "));
   if (const auto* cache = std::get_if<scene::IrradianceCache>(&world.integrator))
     stamp_cache(rendering, *cache);
   if (!world.solids.empty()) {

@@ -108,7 +108,8 @@ const BeyondOrbs& beyond_orbs() {
        {"S7", "a plug-in is machine code for the built-in tracer"},
        {"T1", "glTF's animations turn by angles, and it has no shutter"},
        {"T2", "glTF has morph targets and no shutter"},
-       {"T3", "glTF's animations turn by angles, and it has no shutter"}}};
+       {"T3", "glTF's animations turn by angles, and it has no shutter"},
+       {"V1", "glTF says nothing of layers"}}};
   return kLevels;
 }
 

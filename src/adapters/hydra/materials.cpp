@@ -122,7 +122,8 @@ const BeyondOrbs& beyond_orbs() {
        {"S7", "a plug-in is machine code for the built-in tracer"},
        {"T1", "the exporter writes HydraCore3's instances at rest"},
        {"T2", "HydraCore3 has no meshes that change their shape"},
-       {"T3", "HydraCore3's camera rests"}}};
+       {"T3", "HydraCore3's camera rests"},
+       {"V1", "HydraCore3's layers have eight bits, and absolute values of normals"}}};
   return kLevels;
 }
 

@@ -254,7 +254,7 @@ struct BsdfWriter {
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
       {"B2", "B3", "B4", "B5", "B6", "B9", "C1", "C2", "C3", "D1", "D2",
-       "D3", "D5", "D6", "E1", "E2", "E3", "N2", "N3", "N4", "N5"},
+       "D3", "D5", "D6", "E1", "E2", "E3", "N2", "N3", "N4", "N5", "V1"},
       {{"B1", "Mitsuba's rough metals follow n and k and are masked by the separable term"},
        {"B7", "Mitsuba's principled BSDF is another model"},
        {"B8", "Mitsuba 3 has no Phong reflection"},

@@ -20,9 +20,12 @@
 #include "scene/lower/lower.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace orbs::adapters {
 
@@ -128,6 +131,10 @@ std::string sensor_text(const scene::Camera& camera, ClipDistances clip) {
 // noise to paths of limited length, so it begins behind the last scattering; paths of unlimited length get
 // Mitsuba's default.
 // The type "path" takes what lets rays pass for opaque where it looks for lights, and counts the passes.
+bool holds(const std::vector<std::string>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 std::string path_text(const scene::Scene& scene, const std::string& blocks) {
   const int trace_depth = scene.trace_depth;
   const auto shown = scene::visible_materials(scene);
@@ -155,13 +162,28 @@ std::string block_size_text(const scene::Camera& camera) {
   return fmt::format("<integer name=\"block_size\" value=\"{}\"/>", size);
 }
 
-// The layers are named S0.R to S3.B, as ours.
+// The layers of surfaces that Mitsuba knows as we do, with its words for them.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kLayers{
+    {{"position", "position"}, {"normal", "sh_normal"}, {"albedo", "albedo"}}};
+
+// The words for them, whose channels get our names: "normal.X".
+std::string aovs_of(const scene::Scene& scene) {
+  std::vector<std::string> aovs;
+  for (const auto& [ours, theirs] : kLayers)
+    if (holds(scene.outputs.layers, ours)) aovs.push_back(fmt::format("{}:{}", ours, theirs));
+  return fmt::format("{}", fmt::join(aovs, ","));
+}
+
+// The layers of Stokes vectors are named S0.R to S3.B, as ours.
 std::string integrator_text(const scene::Scene& scene) {
-  const std::string hides = "<boolean name=\"hide_emitters\" value=\"true\"/>";
-  const std::string blocks =
-      block_size_text(scene.camera) + (scene.environment.visible_to_camera ? "" : hides);
-  if (!scene.outputs.stokes) return path_text(scene, blocks);
-  return fmt::format("<integrator type=\"stokes\">{}{}</integrator>\n", path_text(scene, ""), blocks);
+  const std::string hides =
+      scene.environment.visible_to_camera ? "" : "<boolean name=\"hide_emitters\" value=\"true\"/>";
+  const std::string blocks = block_size_text(scene.camera);
+  if (!scene.outputs.layers.empty())
+    return fmt::format("<integrator type=\"aov\"><string name=\"aovs\" value=\"{}\"/>{}{}</integrator>\n",
+                       aovs_of(scene), path_text(scene, hides), blocks);
+  if (!scene.outputs.stokes) return path_text(scene, blocks + hides);
+  return fmt::format("<integrator type=\"stokes\">{}{}</integrator>\n", path_text(scene, hides), blocks);
 }
 
 // Mitsuba counts the texture rows of a PLY from the top, ORB.S from the bottom: v becomes 1 - v in the file,
@@ -315,6 +337,22 @@ std::string camera_limit(const scene::Camera& camera) {
   return "";
 }
 
+std::string layer_limit(const scene::Outputs& outputs) {
+  if (outputs.layers.empty()) return "";
+  if (outputs.stokes)
+    return "the image holds Stokes vectors and layers of surfaces: one integrator makes each of them";
+  for (const auto& layer : outputs.layers) {
+    const bool is_known =
+        std::any_of(kLayers.begin(), kLayers.end(), [&](const auto& known) { return known.first == layer; });
+    if (layer == "depth") return "the image holds depths: Mitsuba's are lengths of rays";
+    if (layer == "uv")
+      return "the image holds texture coordinates: Mitsuba counts the rows of textures from the top, so the "
+             "exporter turns them";
+    if (!is_known) return fmt::format("the image holds the layer '{}', which Mitsuba does not have", layer);
+  }
+  return "";
+}
+
 std::string stokes_limit(const scene::Scene& scene) {
   if (scene.outputs.stokes && !scene::is_plain_pinhole(scene.camera))
     return "the image holds Stokes vectors: the exporter knows Mitsuba's frames for a centred pinhole alone";
@@ -352,6 +390,7 @@ std::vector<std::string> mitsuba_limits(const scene::Scene& scene) {
   note(hidden_limit(scene));
   note(camera_limit(scene.camera));
   note(stokes_limit(scene));
+  note(layer_limit(scene.outputs));
   return reasons;
 }
 

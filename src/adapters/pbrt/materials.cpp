@@ -251,7 +251,8 @@ const BeyondOrbs& beyond_orbs() {
        {"S7", "a plug-in is machine code for the built-in tracer"},
        {"T1", "pbrt interpolates rotation, stretch and translation, not the entries of matrices"},
        {"T2", "pbrt has no meshes that change their shape"},
-       {"T3", "pbrt interpolates rotation, stretch and translation, not the vectors of a camera"}}};
+       {"T3", "pbrt interpolates rotation, stretch and translation, not the vectors of a camera"},
+       {"V1", "pbrt's film of layers has no spectral bands, by which the exporter hands it colours"}}};
   return kLevels;
 }
 

@@ -214,7 +214,8 @@ const BeyondOrbs& beyond_orbs() {
        {"S7", "a plug-in is machine code for the built-in tracer"},
        {"T1", "POV-Ray shows an instant, it has no motion blur"},
        {"T2", "POV-Ray shows an instant, it has no motion blur"},
-       {"T3", "POV-Ray shows an instant, it has no motion blur"}}};
+       {"T3", "POV-Ray shows an instant, it has no motion blur"},
+       {"V1", "POV-Ray renders a colour alone"}}};
   return kLevels;
 }
 

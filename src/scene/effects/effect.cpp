@@ -40,6 +40,8 @@ std::string_view effect_name(Effect effect) {
       return "turned normals";
     case Effect::EnvironmentMap:
       return "environment map";
+    case Effect::SurfaceLayers:
+      return "layers of the surface";
   }
   return "";
 }

@@ -25,6 +25,7 @@ enum class Effect {
   Opacity,           // surfaces that let a share of the rays pass
   TurnedNormals,     // normals by a texture
   EnvironmentMap,    // an image that shines from infinitely far away
+  SurfaceLayers,     // layers of the surface that the camera sees
 };
 
 /// The word for it, as messages and files write it: "thin film".

@@ -141,6 +141,8 @@ void add_outputs(const Scene& scene, SceneEffects& found) {
   if (scene.outputs.stokes) note(found, {Effect::Polarisation, true, "holds Stokes vectors"}, "the image");
   if (scene.outputs.path_classes)
     note(found, {Effect::PathClasses, true, "is split by classes of light path"}, "the image");
+  if (!scene.outputs.layers.empty())
+    note(found, {Effect::SurfaceLayers, true, "holds layers of the surface"}, "the image");
 }
 
 }  // namespace
@@ -210,6 +212,7 @@ LightTransport transport_for(Effect effect) {
     case Effect::Opacity:
     case Effect::TurnedNormals:
     case Effect::EnvironmentMap:
+    case Effect::SurfaceLayers:
       return LightTransport::Rgb;
   }
   return LightTransport::Rgb;

@@ -46,6 +46,7 @@ const char* level_for(Effect effect) {
     case Effect::Opacity:
     case Effect::TurnedNormals:
     case Effect::EnvironmentMap:
+    case Effect::SurfaceLayers:
       return "";
   }
   return "";
@@ -195,6 +196,11 @@ std::vector<CalledFeature> features_of_camera(const Scene& scene) {
   return features;
 }
 
+std::vector<CalledFeature> features_of_outputs(const Scene& scene) {
+  if (scene.outputs.layers.empty()) return {};
+  return {{"V1", fmt::format("the image holds the layer '{}'", scene.outputs.layers.front())}};
+}
+
 std::vector<CalledFeature> features_of_integrator(const Scene& scene) {
   return std::visit(
       [](const auto& integrator) -> std::vector<CalledFeature> {
@@ -209,7 +215,7 @@ std::vector<CalledFeature> features_called_for(const Scene& scene) {
   for (const auto& features :
        {features_of_geometry(scene), features_of_materials(scene), features_of_lights(scene),
         features_of_environment(scene), features_of_effects(scene), features_of_motion(scene),
-        features_of_camera(scene), features_of_integrator(scene)})
+        features_of_camera(scene), features_of_integrator(scene), features_of_outputs(scene)})
     for (const auto& feature : features) found.try_emplace(feature.requirement, feature.what);
   std::vector<CalledFeature> out;
   for (const auto& [requirement, what] : found) out.push_back({requirement, what});

@@ -24,7 +24,7 @@ struct CalledFeature {
 /// I1 ambient occlusion, I2 irradiance caches; N1 normal maps, N2 bump maps, N3 surfaces that let rays pass,
 /// N4 mirrored textures, N5 textures that are not interpolated; C1 a lens, C2 an orthographic camera, C3 a
 /// shifted lens, C4 a latitude-longitude image; D5 an environment map, D6 an
-/// environment that the camera does not see.
+/// environment that the camera does not see; V1 layers of the surface that the camera sees.
 std::vector<CalledFeature> features_called_for(const Scene& scene);
 
 /// The parts of features_called_for; one object may call for several requirements, and one requirement may be
@@ -40,6 +40,7 @@ std::vector<CalledFeature> features_of_environment(const Scene& scene);
 std::vector<CalledFeature> features_of_motion(const Scene& scene);
 std::vector<CalledFeature> features_of_camera(const Scene& scene);
 std::vector<CalledFeature> features_of_integrator(const Scene& scene);
+std::vector<CalledFeature> features_of_outputs(const Scene& scene);
 /// E2 to E6 where the scene calls for the effect that they name, E1 for lights that reflect.
 std::vector<CalledFeature> features_of_effects(const Scene& scene);
 

@@ -3,6 +3,7 @@
 #include "base/files.h"
 #include "base/nth.h"
 #include "base/text.h"
+#include "image/layers.h"
 #include "scene/effects/effects.h"
 #include "scene/load/camera.h"
 #include "scene/load/detail_checks.h"
@@ -13,6 +14,7 @@
 #include "scene/motion.h"
 #include "scene/scene.h"
 
+#include <algorithm>
 #include <optional>
 #include <set>
 #include <string>
@@ -114,8 +116,37 @@ void add_integrator(json::ObjectReader in, Scene& scene) {
   in.finish();
 }
 
-Outputs load_outputs(json::ObjectReader in) {
+std::vector<std::string> load_layers(json::ObjectReader& in) {
+  std::set<std::string> known;
+  for (const auto& layer : image::kLayers) known.emplace(layer.name);
+  std::vector<std::string> layers;
+  for (auto& name : in.texts("layers")) {
+    if (!known.contains(name))
+      in.fail("layers", fmt::format("there is no layer '{}'{}; there are {}", name, closest(name, known),
+                                    fmt::join(known, ", ")));
+    if (std::find(layers.begin(), layers.end(), name) != layers.end())
+      in.fail("layers", fmt::format("layer '{}' is named twice", name));
+    layers.push_back(std::move(name));
+  }
+  return layers;
+}
+
+// A spectrum has no three numbers until a light is known.
+void check_layers(const Scene& scene, json::ObjectReader& in) {
+  const auto& layers = scene.outputs.layers;
+  const bool wants_albedo = std::find(layers.begin(), layers.end(), "albedo") != layers.end();
+  if (wants_albedo && !scene.spectra.empty())
+    in.fail("outputs",
+            "the layer 'albedo' holds three channels, and the scene has spectra: leave out one of the two");
+}
+
+// What more than its colour the image holds; those of light need light paths.
+Outputs load_outputs(json::ObjectReader in, const Integrator& integrator) {
   Outputs outputs{in.boolean_or("stokes", false), in.boolean_or("path_classes", false)};
+  const auto no_paths = no_paths_reason(integrator);
+  for (const char* key : {"stokes", "path_classes"})
+    if (!no_paths.empty() && in.boolean_or(key, false)) in.fail(key, no_paths);
+  if (in.has("layers")) outputs.layers = load_layers(in);
   in.finish();
   return outputs;
 }
@@ -215,15 +246,12 @@ Scene load_document(const json::Document& document,
   for (auto& entry : in.objects_or_none("shapes")) add_shape(entry, materials, scene);
   for (auto& entry : in.objects_or_none("lights")) scene.lights.push_back(load_light(entry, folders, data));
   if (in.has("integrator")) add_integrator(in.object("integrator"), scene);
-  if (in.has("outputs")) {
-    scene.outputs = load_outputs(in.object("outputs"));
-    const auto reason = no_paths_reason(scene.integrator);
-    if (!reason.empty() && scene.outputs != Outputs{}) in.fail("outputs", reason);
-  }
+  if (in.has("outputs")) scene.outputs = load_outputs(in.object("outputs"), scene.integrator);
   in.finish();
   append(data.warnings, flat_texture_warnings(scene, mesh_places));
   scene.spectra = std::move(data.spectra);
   scene.notes = {std::move(data.files), std::move(data.warnings), camera};
+  check_layers(scene, in);
   drop_unseen_motion(scene);
   check_textures(scene, texture_readers);
   check_materials(scene, material_readers);

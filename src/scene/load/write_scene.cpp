@@ -135,20 +135,24 @@ void write_shapes(Writer& out, const Scene& scene) {
 void write_settings(Writer& out, const Scene& scene) {
   out.key("integrator").begin_object();
   write_integrator(out, scene.integrator);
-  if (std::holds_alternative<AmbientOcclusion>(scene.integrator)) {
-    out.end_object();
-    return;
+  if (!std::holds_alternative<AmbientOcclusion>(scene.integrator)) {
+    out.key("trace_depth");
+    if (scene.trace_depth == kUnlimitedDepth)
+      out.value("unlimited");
+    else
+      out.value(scene.trace_depth);
   }
-  out.key("trace_depth");
-  if (scene.trace_depth == kUnlimitedDepth)
-    out.value("unlimited");
-  else
-    out.value(scene.trace_depth);
   out.end_object();
-  const auto& [stokes, path_classes] = scene.outputs;
-  if (!stokes && !path_classes) return;
+  if (scene.outputs == Outputs{}) return;
+  const auto& [stokes, path_classes, layers] = scene.outputs;
   out.key("outputs").begin_object();
-  out.member("stokes", stokes).member("path_classes", path_classes).end_object();
+  out.member("stokes", stokes).member("path_classes", path_classes);
+  if (!layers.empty()) {
+    out.key("layers").begin_array();
+    for (const auto& layer : layers) out.value(layer);
+    out.end_array();
+  }
+  out.end_object();
 }
 
 }  // namespace

@@ -124,12 +124,25 @@ void check_irradiance_cache(const scene::Scene& scene, const World& world) {
         scene.name));
 }
 
+double factor_of_world(const scene::Scene& scene) {
+  return has_fault(NumericFault::NotRescaled) ? 1
+                                              : scene::rescaling_into(scene, kLeastRadius_m, kMostRadius_m);
+}
+
+scene::Scene enlarged(const scene::Scene& scene, double factor) {
+  return scene::moved(scene, scaling({factor, factor, factor}));
+}
+
+Vec3d origin_of_world(const scene::Extent& extent) {
+  return has_fault(NumericFault::OriginNotMoved) ? Vec3d{} : scene::origin_near(extent);
+}
+
 World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings) {
   World world;
   world.transport = checked_transport(scene, settings);
   const SceneColours colours{scene, world.transport != scene::LightTransport::Rgb, world.spectra};
   const scene::Extent extent = scene::extent_of(scene);
-  const Vec3d origin = has_fault(NumericFault::OriginNotMoved) ? Vec3d{} : scene::origin_near(extent);
+  const Vec3d origin = origin_of_world(extent);
   world.camera = prepare_camera(scene.camera, extent, origin);
   if (scene::has_motion(scene)) world.shutter = scene.camera.shutter;
   if (world.shutter && scene.camera.end) world.moving_camera = {scene.camera, extent, origin};
@@ -178,9 +191,14 @@ World make_world_as_is(const scene::Scene& scene, const WorldSettings& settings)
 }  // namespace
 
 World make_world(const scene::Scene& scene, const WorldSettings& settings) {
-  const double factor = scene::rescaling_into(scene, kLeastRadius_m, kMostRadius_m);
-  if (factor == 1 || has_fault(NumericFault::NotRescaled)) return make_world_as_is(scene, settings);
-  return make_world_as_is(scene::moved(scene, scaling({factor, factor, factor})), settings);
+  const double factor = factor_of_world(scene);
+  if (factor == 1) return make_world_as_is(scene, settings);
+  return make_world_as_is(enlarged(scene, factor), settings);
+}
+
+WorldPlace place_of_world(const scene::Scene& scene) {
+  const double factor = factor_of_world(scene);
+  return {origin_of_world(scene::extent_of(factor == 1 ? scene : enlarged(scene, factor))), factor};
 }
 
 // Light paths end at lights, keep their wavelengths, and carry plain factors instead of matrices. So they are

@@ -36,6 +36,14 @@ struct WorldSettings {
   PluginLibraries plugins = {};  // those of open_plugins, for scenes that name some
 };
 
+/// Where the world of a scene lies: a point p of the world is (p + origin_m) / factor of the scene.
+struct WorldPlace {
+  Vec3d origin_m;
+  double factor = 1;
+};
+
+WorldPlace place_of_world(const scene::Scene& scene);
+
 /// Throws InputError if a texture cannot be read, a plug-in makes no shape, or if the given transport lacks
 /// effects that the scene calls for.
 World make_world(const scene::Scene& scene, const WorldSettings& settings = {});

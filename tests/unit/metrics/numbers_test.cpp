@@ -24,7 +24,8 @@ double number(const Comparison& comparison, std::string_view metric) {
 
 bool is_relative_to_reference(const MetricInfo& metric) {
   return metric.rule == GateRule::WholeInterval || metric.rule == GateRule::AnyOfInterval ||
-         metric.name == "local_bias" || metric.name.starts_with("stokes") || metric.name == "shared_noise" ||
+         metric.name == "local_bias" || metric.name.starts_with("stokes") ||
+         metric.name.starts_with("layer") || metric.name == "shared_noise" ||
          metric.name.starts_with("block") || metric.name.starts_with("pixel") ||
          metric.name.starts_with("smallest") || metric.name.starts_with("window") ||
          metric.name == "pattern_error";

@@ -154,7 +154,7 @@ TEST(Cases, ARequirementThatDoesNotExistIsRefused) {
     EXPECT_NE(
         message.find(
             std::string("/requirement: there is no requirement ") + wrong +
-            "; there are G1 to G5, M1 to M8, L1 to L4, A1 to A4, B1 to B9, C1 to C5, D1 to D6, E1 to E6, N1 to N6, S1 to S7, T1 to T3, I1 to I2"),
+            "; there are G1 to G5, M1 to M8, L1 to L4, A1 to A4, B1 to B9, C1 to C5, D1 to D6, E1 to E6, N1 to N6, V1, S1 to S7, T1 to T3, I1 to I2"),
         std::string::npos)
         << message;
   }

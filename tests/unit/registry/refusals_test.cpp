@@ -70,7 +70,7 @@ TEST(Declares, LevelsThatNoSuiteHasAreRefusedWithTheRange) {
     expect_part(message, "/renderers/0/declares: there is no requirement ");
     expect_part(
         message,
-        "; there are G1 to G5, M1 to M8, L1 to L4, A1 to A4, B1 to B9, C1 to C5, D1 to D6, E1 to E6, N1 to N6, S1 to S7, T1 to T3, I1 to I2");
+        "; there are G1 to G5, M1 to M8, L1 to L4, A1 to A4, B1 to B9, C1 to C5, D1 to D6, E1 to E6, N1 to N6, V1, S1 to S7, T1 to T3, I1 to I2");
   }
   expect_part(refusal("a", "G1", kCommand, R"(, "known_limits": [{"requirements": ["M11"], "reason": "r"}])"),
               "/renderers/0/known_limits/0/requirements/0: there is no requirement M11");

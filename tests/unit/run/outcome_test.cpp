@@ -236,6 +236,26 @@ TEST_F(OutcomeTest, TheColourIsInTheChannelsThatTheJobNames) {
   EXPECT_NE(outcome().reason.find("expected S0.3nm, S0.4nm, S0.1nm"), std::string::npos) << outcome().reason;
 }
 
+TEST_F(OutcomeTest, ChannelsGetOurNamesWhereTheEntrySaysSo) {
+  auto image = orbs::image::make_image(4, 3, {"B", "beauty.G", "beauty.R", "z.V"});
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = static_cast<float>(i % 4);
+  orbs::image::write_exr(image, job_.image);
+  EXPECT_EQ(outcome().kind, JobOutcome::WrongChannels);
+  job_.channel_names = {
+      {"R", "beauty.R"}, {"G", "beauty.G"}, {"B", "beauty.B"}, {"depth.Z", "z.V"}, {"uv.U", "uv.X"}};
+  const auto found = outcome();
+  ASSERT_EQ(found.kind, JobOutcome::Image) << found.reason;
+  EXPECT_FALSE(found.is_as_written);
+  const auto at = [&](const char* name) {
+    return found.image->at(1, 1, static_cast<std::size_t>(orbs::image::channel_index(*found.image, name)));
+  };
+  EXPECT_EQ(at("R"), 2.0F);
+  EXPECT_EQ(at("G"), 1.0F);
+  EXPECT_EQ(at("B"), 0.0F);  // by our name already
+  EXPECT_EQ(at("depth.Z"), 3.0F);
+  EXPECT_LT(orbs::image::channel_index(*found.image, "uv.U"), 0);
+}
+
 TEST_F(OutcomeTest, NegativeValuesAreForJobsThatMayHaveThem) {
   write(4, 3, {"R", "G", "B"}, -1.0F);
   job_.may_be_negative = true;

@@ -114,6 +114,8 @@ const std::vector<Judgement> kJudgements{
     {"LightThatReflects", kGrey,
      R"(, "lights": [{"type": "disk", "radius": 1, "radiance": [1, 1, 1], "reflectance": [0.5, 0.5, 0.5]}])",
      Effect::ReflectingLight, true, "reflects light"},
+    {"SurfaceLayers", kGrey, R"(, "outputs": {"layers": ["depth"]})", Effect::SurfaceLayers, true,
+     "holds layers"},
     {"PathClasses", kGrey, R"(, "outputs": {"path_classes": true})", Effect::PathClasses, true, "split"},
 };
 
