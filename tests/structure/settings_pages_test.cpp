@@ -51,7 +51,7 @@ const std::map<std::string, const char*> kDemands{
     {"transports",
      R"({"propertyNames": {"enum": ["rgb", "spectral", "polarised", "bispectral", "polarised-bispectral"]}, "additionalProperties": {"type": "string", "minLength": 1}})"},
     {"requirements",
-     R"({"items": {"type": "string", "pattern": "^(G[1-5]|M[1-8]|L[1-4]|A[1-4]|B[1-9]|C[1-5]|D[1-6]|E[1-6]|N[1-6]|S[1-7]|T[1-3]|I[12])$"}})"},
+     R"({"items": {"type": "string", "pattern": "^(G[1-5]|M[1-8]|L[1-4]|A[1-4]|B[1-9]|C[1-5]|D[1-6]|E[1-6]|N[1-6]|V1|S[1-7]|T[1-3]|I[12])$"}})"},
     {"reason", R"({"minLength": 1})"},
     {"key", R"({"minLength": 1})"},
     {"variants", R"({"minItems": 1})"},
