@@ -172,10 +172,12 @@ std::string bright_finish(const scene::Light& light) {
 
 constexpr const char* kBlack = "texture { pigment { rgb 0 } finish { diffuse 0 } }";
 
-// The visible flat shape, and a black one a little behind it (towards local +Y).
+// The visible flat shape, and a black one a little behind it (towards local +Y). Seen from behind it is black
+// as well, since past the edge of the other it shows as a bright line: 12 of a lamp in 1/500 of a pixel made
+// a tile 5 % too bright.
 std::string flat_body(const scene::Light& light, const std::string& shape, double size_m) {
-  return fmt::format("object {{ {0} {1} {2} }}\nobject {{ {0} translate <0,{3},0> {4} {2} }}\n", shape,
-                     bright_finish(light), matrix(light.matrix), kGap * size_m, kBlack);
+  return fmt::format("object {{ {0} {1} interior_{4} {2} }}\nobject {{ {0} translate <0,{3},0> {4} {2} }}\n",
+                     shape, bright_finish(light), matrix(light.matrix), kGap * size_m, kBlack);
 }
 
 // Photons are shot at what reflects and refracts.
@@ -219,7 +221,7 @@ struct LightWriter {
            flat_body(light, shape, std::min(w, l));
   }
   std::string operator()(const scene::DiskShape& disk) const {
-    const std::string shape = fmt::format("disc {{ <0,0,0>, <0,1,0>, {} }}", disk.radius_m);
+    const std::string shape = fmt::format("disc {{ <0,0,0>, <0,-1,0>, {} }}", disk.radius_m);
     return disk_sources(light, disk, settings) + flat_body(light, shape, disk.radius_m);
   }
   std::string operator()(const scene::SphereShape& sphere) const {

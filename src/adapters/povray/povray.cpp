@@ -36,6 +36,7 @@ using povray::colour;
 using povray::vector;
 
 constexpr int kMostRecursions = 20;  // of radiosity, a limit of POV-Ray 3.7
+constexpr int kMostHalvings = 9;     // of a pixel
 constexpr int kMostTraceLevels =
     256;  // another one; what is left of a ray after 100 mirrors is adc_bailout's
 
@@ -117,6 +118,9 @@ void check_settings(const PovraySettings& settings) {
   if (settings.dispersion_samples < 2)
     throw InputError(
         fmt::format("POV-Ray: dispersion_samples is {}; expected at least 2", settings.dispersion_samples));
+  if (settings.aa_depth < 0 || settings.aa_depth > kMostHalvings)
+    throw InputError(
+        fmt::format("POV-Ray: aa_depth is {}; expected at most {}", settings.aa_depth, kMostHalvings));
   if (settings.area_grid < 2 * settings.area_split)
     throw InputError(fmt::format("POV-Ray: area_grid is {}; expected at least twice area_split, {}",
                                  settings.area_grid, 2 * settings.area_split));
@@ -134,8 +138,20 @@ std::string photons_text(const scene::Scene& scene, const PovraySettings& settin
   return fmt::format("  photons {{ count {} }}\n", std::max(aimed, 1));
 }
 
+// POV-Ray counts the camera ray as level 1, so level n + 1 is reached after n mirrors. A ray that passes
+// through an opening goes on at its own level, but none goes on at the last one: a gathered ray ended at the
+// first sheet, and a floor below it was black. Where nothing reflects or refracts, the levels bound nothing
+// else.
+int trace_levels(const scene::Scene& scene) {
+  const auto& all = scene.materials;
+  const bool passes = std::any_of(
+      all.begin(), all.end(), [](const auto& material) { return scene::lets_rays_pass(material.detail); });
+  const bool turns = std::any_of(
+      all.begin(), all.end(), [](const auto& material) { return povray::is_photon_target(material.model); });
+  return passes && !turns ? kMostTraceLevels : std::min(scene.trace_depth + 1, kMostTraceLevels);
+}
+
 std::string settings_text(const scene::Scene& scene, const PovraySettings& settings) {
-  // POV-Ray counts the camera ray as level 1, so level n + 1 is reached after n mirrors.
   return fmt::format(
       "#version 3.7;\n"
       "global_settings {{\n"
@@ -144,8 +160,7 @@ std::string settings_text(const scene::Scene& scene, const PovraySettings& setti
       "  adc_bailout 1e-5\n"
       "{}{}}}\n"
       "#default {{ finish {{ ambient 0 diffuse 1 emission 0 specular 0 phong 0 }} }}\n",
-      std::min(scene.trace_depth + 1, kMostTraceLevels), radiosity_text(scene, settings.radiosity),
-      photons_text(scene, settings));
+      trace_levels(scene), radiosity_text(scene, settings.radiosity), photons_text(scene, settings));
 }
 
 // What belongs to a whole object of mirror or glass.
@@ -232,8 +247,12 @@ scene::Scene enlarged(const scene::Scene& scene) {
 
 int povray_aa_grid(int spp) {
   int depth = 4;  // POV-Ray takes 1 to 9
-  while (depth < 9 && spp > 1 << (2 * depth)) ++depth;
+  while (depth < kMostHalvings && spp > 1 << (2 * depth)) ++depth;
   return depth;
+}
+
+std::string povray_antialiasing(const scene::Scene& scene) {
+  return scene::has_lens(scene.camera) ? "-A" : "+A0.05";
 }
 
 namespace {
@@ -281,8 +300,11 @@ Exporter povray_exporter() {
       .write = [](const scene::Scene& scene, const SceneSettings& numbers,
                   const std::filesystem::path& file) { write_povray(scene, povray_settings(numbers), file); },
       .placeholders =
-          [](const scene::Scene&, const SceneSettings&, int spp) {
-            return registry::Placeholders{{"aa_grid", std::to_string(povray_aa_grid(spp))}};
+          [](const scene::Scene& scene, const SceneSettings& numbers, int spp) {
+            const int asked = povray_settings(numbers).aa_depth;
+            const int depth = asked > 0 ? asked : povray_aa_grid(spp);
+            return registry::Placeholders{{"aa_grid", std::to_string(depth)},
+                                          {"antialiasing", povray_antialiasing(scene)}};
           }};
 }
 

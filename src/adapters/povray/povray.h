@@ -20,6 +20,10 @@ namespace orbs::adapters {
 /// of a Cornell box came to 35.4 dB with n = 3 and to 40.0 with +AM2 +R4 in a fifth of the time.
 int povray_aa_grid(int spp);
 
+/// The threshold of that halving, or none: through a lens each ray is already spread over a whole pixel
+/// (TracePixel::TraceRayWithFocalBlur of POV-Ray's source), so that halved pixels were blurred by two boxes.
+std::string povray_antialiasing(const scene::Scene& scene);
+
 /// Writes the scene in POV-Ray's language to `file`, its meshes to `<stem>-meshes.inc` and copies of its
 /// textures to
 /// `<stem>-texture<i>.<extension>`, all in the folder of `file`: POV-Ray's I/O restrictions let it read the

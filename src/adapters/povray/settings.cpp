@@ -15,6 +15,7 @@ const std::vector<Setting>& settings_table() {
       {"area_grid", [](PovraySettings& s, double x) { s.area_grid = static_cast<int>(x); }, true},
       {"area_split", [](PovraySettings& s, double x) { s.area_split = static_cast<int>(x); }, true},
       {"area_adaptive", [](PovraySettings& s, double x) { s.area_adaptive = static_cast<int>(x); }, true},
+      {"aa_depth", [](PovraySettings& s, double x) { s.aa_depth = static_cast<int>(x); }, true},
       {"photons", [](PovraySettings& s, double x) { s.photons = static_cast<int>(x); }, true},
       {"dispersion_samples", [](PovraySettings& s, double x) { s.dispersion_samples = static_cast<int>(x); },
        true},

@@ -39,6 +39,8 @@ struct PovraySettings {
   /// costs more.
   int area_adaptive = 0;
   PovrayRadiosity radiosity;
+  /// In the place of povray_aa_grid, where it is above 0.
+  int aa_depth = 0;
   /// Colours that a ray is split into by glass that disperses, and every photon with it.
   int dispersion_samples = 20;
   /// About so many photons to keep, aimed at mirrors and glass; 0: no caustics. Where glass disperses, and

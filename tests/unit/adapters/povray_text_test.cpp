@@ -171,6 +171,41 @@ TEST_F(PovrayText, PathsWithoutAnEndGetAllLevelsThatThereAre) {
   EXPECT_TRUE(holds(written(), "max_trace_level 8\n"));
 }
 
+// A ray that was gathered is at the last level, from which none goes on through an opening.
+TEST_F(PovrayText, OpeningsGetAllLevelsWhereNothingElseIsBoundedByThem) {
+  const int sheet = material(scene::Lambert{{0.8, 0.8, 0.8}, {}});
+  EXPECT_TRUE(holds(written(), "max_trace_level 2\n"));
+  scene_.materials[static_cast<std::size_t>(sheet)].detail.opacity = 0.3;
+  EXPECT_TRUE(holds(written(), "max_trace_level 256\n"));
+  material(scene::Mirror{{0.9, 0.9, 0.9}});
+  EXPECT_TRUE(holds(written(), "max_trace_level 2\n"));
+}
+
+// Rays of a lens are spread over the pixel by POV-Ray; halving the pixel as well would blur twice.
+TEST_F(PovrayText, LensesAreNotAntialiasedTwice) {
+  EXPECT_EQ(adapters::povray_antialiasing(scene_), "+A0.05");
+  scene_.camera.aperture_radius_m = 0.1;
+  EXPECT_EQ(adapters::povray_antialiasing(scene_), "-A");
+}
+
+TEST_F(PovrayText, PixelsAreHalvedAsOftenAsASettingSays) {
+  const auto exporter = adapters::povray_exporter();
+  EXPECT_EQ(exporter.placeholders(scene_, {}, 16).at("aa_grid"), "4");
+  EXPECT_EQ(exporter.placeholders(scene_, {{"aa_depth", 9}}, 16).at("aa_grid"), "9");
+  EXPECT_THROW(written(adapters::povray_settings({{"aa_depth", 10}})), InputError);
+}
+
+// The back of a lamp is a black sheet; past its edge the bright one is seen from behind.
+TEST_F(PovrayText, FlatLampsAreBlackFromBehind) {
+  scene_.lights.push_back({"lamp", scene::RectShape{1, 1}, {1, 0, 0}, translation({0, 4, 0}), {}});
+  scene_.lights.push_back({"round", scene::DiskShape{1}, {1, 0, 0}, translation({0, 4, 0}), {}});
+  const std::string text = written();
+  EXPECT_EQ(count_of(text, "interior_texture { pigment { rgb 0 }"), 2);
+  // The bright side is that of the normal, local -Y: x cross z of the rectangle's corners, too.
+  EXPECT_TRUE(holds(text, "disc { <0,0,0>, <0,-1,0>, 1 }"));
+  EXPECT_TRUE(holds(text, "polygon { 5, <-1,0,-1>, <1,0,-1>, <1,0,1>,"));
+}
+
 // L A / (2 pi f^2) split over 2 x 2 pieces, each with half the grid; samples in cell centres: 1 (n - 1) / n
 // for n = 8.
 TEST_F(PovrayText, RectBecomesAreaLightsOfItsPower) {
