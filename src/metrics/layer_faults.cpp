@@ -68,17 +68,19 @@ double squared_distance(const Parts& a, const Parts& b) {
   return sum;
 }
 
-using Mistake = std::function<Parts(const Parts& reference, double radius_squared)>;
+// What the layer would be by the mistake; `result` is what it is.
+using Mistake = std::function<Parts(const Parts& reference, double radius_squared, const Parts& result)>;
 
 double squared_error(const Points& points, const Mistake& mistake) {
   double sum = 0;
   for (std::size_t i = 0; i < points.result.size(); ++i)
-    sum += squared_distance(points.result[i], mistake(points.reference[i], points.radius_squared[i]));
+    sum += squared_distance(points.result[i],
+                            mistake(points.reference[i], points.radius_squared[i], points.result[i]));
   return sum;
 }
 
 Mistake each(std::function<double(double)> of_one) {
-  return [of_one = std::move(of_one)](const Parts& reference, double) {
+  return [of_one = std::move(of_one)](const Parts& reference, double, const Parts&) {
     Parts out{};
     for (std::size_t c = 0; c < out.size(); ++c) out.at(c) = of_one(reference.at(c));
     return out;
@@ -119,7 +121,7 @@ std::vector<Named> depth_mistakes(const Points& points) {
   const double k = fitted_curvature(points);
   const double factor = fitted_factor(points);
   return {{"along the ray and not along the axis",
-           [k](const Parts& z, double r2) {
+           [k](const Parts& z, double r2, const Parts&) {
              return Parts{z[0] * std::sqrt(1 + k * r2), 0, 0};
            }},
           {fmt::format("{:.4g} times what it should be: another unit", factor),
@@ -129,11 +131,11 @@ std::vector<Named> depth_mistakes(const Points& points) {
 
 std::vector<Named> uv_mistakes() {
   return {{"counted from the other end in v",
-           [](const Parts& uv, double) {
+           [](const Parts& uv, double, const Parts&) {
              return Parts{uv[0], 1 - uv[1], 0};
            }},
           {"swapped in u and v",
-           [](const Parts& uv, double) {
+           [](const Parts& uv, double, const Parts&) {
              return Parts{uv[1], uv[0], 0};
            }},
           {"without whole numbers", each([](double t) { return t - std::floor(t); })}};
@@ -149,13 +151,20 @@ std::vector<Named> albedo_mistakes() {
   return {{"encoded as sRGB", each(encoded)}, {"decoded as sRGB once too often", each(decoded)}};
 }
 
+Parts negated(const Parts& n) { return {-n[0], -n[1], -n[2]}; }
+
 std::vector<Named> normal_mistakes() {
+  const auto either_side = [](const Parts& n, double, const Parts& result) {
+    return squared_distance(result, n) <= squared_distance(result, negated(n)) ? n : negated(n);
+  };
   return {{"without signs, in absolute values", each([](double n) { return std::fabs(n); })},
           {"turned to the far side", each([](double n) { return -n; })},
           {"halved and moved into [0, 1], as for the screen", each([](double n) { return 0.5 * n + 0.5; })},
-          {"swapped in y and z", [](const Parts& n, double) {
+          {"swapped in y and z",
+           [](const Parts& n, double, const Parts&) {
              return Parts{n[0], n[2], n[1]};
-           }}};
+           }},
+          {"not turned to the viewer everywhere", either_side}};
 }
 
 using Matrix = std::array<Parts, 3>;
@@ -198,7 +207,7 @@ Named other_space(const Points& points) {
   const double trace = rotation[0][0] + rotation[1][1] + rotation[2][2];
   const double angle = std::acos(std::clamp((trace - 1) / 2, -1.0, 1.0)) * 180 / std::numbers::pi;
   return {fmt::format("in another space, as that of the camera, turned by {:.3g} degrees", angle),
-          [rotation](const Parts& n, double) { return times(rotation, n); }};
+          [rotation](const Parts& n, double, const Parts&) { return times(rotation, n); }};
 }
 
 std::vector<Named> mistakes_of(const ComparedLayer& layer, const Points& points) {
@@ -220,7 +229,8 @@ std::vector<Named> mistakes_of(const ComparedLayer& layer, const Points& points)
 std::string layer_fault(const PairSamples& samples, const ComparedLayer& layer) {
   constexpr double kLeft = 0.01;
   const auto points = points_of(samples, layer);
-  const double off = squared_error(points, [](const Parts& reference, double) { return reference; });
+  const double off =
+      squared_error(points, [](const Parts& reference, double, const Parts&) { return reference; });
   std::string best;
   double least = kLeft * off;
   for (const auto& [name, mistake] : mistakes_of(layer, points)) {

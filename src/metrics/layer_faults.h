@@ -13,7 +13,8 @@ namespace orbs::metrics {
 ///
 /// Known are: depth along the ray (a sphere about the middle of the image: d^2 = z^2 (1 + k r^2) with one k),
 /// another unit, reciprocals; values that are absolute, negated, halved and moved into [0, 1], sRGB-encoded
-/// or decoded; v from the other end, u and v swapped; normals of another space (Kabsch 1976).
+/// or decoded; v from the other end, u and v swapped; normals of another space (Kabsch 1976), or
+/// on the far side of some surfaces.
 std::string layer_fault(const PairSamples& samples, const ComparedLayer& layer);
 
 }  // namespace orbs::metrics

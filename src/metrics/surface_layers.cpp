@@ -210,11 +210,11 @@ std::optional<BlockError> block_error(const ImagePair& pair,
   return BlockError{off, std::max(0.0, off - quantile * std::sqrt(variance) / count)};
 }
 
-// "; the layer 'depth' is along the ray and not along the axis", or nothing.
+// "the layer 'depth' is along the ray and not along the axis: ", or nothing.
 std::string fault_text(const ImagePair& pair, const ComparedLayer* layer) {
   if (layer == nullptr) return "";
   const auto fault = layer_fault(pair, *layer);
-  return fault.empty() ? "" : fmt::format("; the layer '{}' is {}", layer->layer->name, fault);
+  return fault.empty() ? "" : fmt::format("the layer '{}' is {}: ", layer->layer->name, fault);
 }
 
 MetricResult nothing_or_missing(const ImagePair& pair) {
@@ -237,13 +237,12 @@ MetricResult compute_layer_pixels(const ImagePair& pair) {
   auto found = findings(pair);
   const auto off =
       std::count_if(found.map.pixels.begin(), found.map.pixels.end(), [](float by) { return by > 0; });
-  MetricResult result{.value = static_cast<double>(off),
-                      .map = std::move(found.map),
-                      .what = found.what + fault_text(pair, found.layer)};
+  MetricResult result{.value = static_cast<double>(off), .map = std::move(found.map)};
   if (off == 0) return result;
   const int x = static_cast<int>(found.worst) % pair.width;
   const int y = static_cast<int>(found.worst) / pair.width;
   result.where = Rectangle{x, y, x + 1, y + 1};
+  result.what = fmt::format("{}at ({}, {}), {}", fault_text(pair, found.layer), x, y, found.what);
   return result;
 }
 
@@ -272,24 +271,23 @@ MetricResult compute_layer_error(const ImagePair& pair) {
         worst.what = fmt::format("the mean of {} over 8 x 8 px is off by {:.3g}", channel.name, error->off);
       }
   }
-  worst.what += fault_text(pair, layer);
+  worst.what = fault_text(pair, layer) + worst.what;
   return worst;
 }
 
 std::string describe_layer_pixels(const Measurement& measurement, const Limits& limits) {
   if (!measurement.value) return absence_text(measurement);
   if (*measurement.value == 0) return "all its layers of surfaces lie within what the pixels show";
-  return fmt::format("{:.0f} pixels of its layers are off, {}; at ({}, {}), {}", *measurement.value,
-                     limits_text(limits, 1, ""), measurement.where ? measurement.where->x0 : 0,
-                     measurement.where ? measurement.where->y0 : 0, measurement.what);
+  return fmt::format("{}; so in {:.0f} px, {}", measurement.what, *measurement.value,
+                     limits_text(limits, 1, " px"));
 }
 
 std::string describe_layer_error(const Measurement& measurement, const Limits& limits) {
   if (!measurement.value) return absence_text(measurement);
   if (*measurement.value == 0) return "no mean of its layers of surfaces is off for certain";
   constexpr double kPercent = 100;
-  return fmt::format("{:.3g} % of the layer's largest value or more for certain, {}: {}",
-                     kPercent * *measurement.value, limits_text(limits, kPercent, " %"), measurement.what);
+  return fmt::format("{}, {:.3g} % of the layer's largest value or more for certain, {}", measurement.what,
+                     kPercent * *measurement.value, limits_text(limits, kPercent, " %"));
 }
 
 }  // namespace orbs::metrics

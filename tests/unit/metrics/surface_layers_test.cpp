@@ -206,6 +206,8 @@ TEST(LayerFaults, MistakesOfNormalsAreNamed) {
   expect_part(fault_of(normals(absolute), reference), "'normal' is without signs");
   const auto encoded = [](Normal n) { return Normal{0.5 * n[0] + 0.5, 0.5 * n[1] + 0.5, 0.5 * n[2] + 0.5}; };
   expect_part(fault_of(normals(encoded), reference), "halved and moved into [0, 1]");
+  const auto outwards = [](Normal n) { return n[0] > 0 ? Normal{-n[0], -n[1], -n[2]} : n; };
+  expect_part(fault_of(normals(outwards), reference), "'normal' is not turned to the viewer everywhere");
   const double c = std::cos(0.5);
   const double s = std::sin(0.5);
   const auto turned = [=](Normal n) { return Normal{c * n[0] + s * n[2], n[1], c * n[2] - s * n[0]}; };
@@ -232,7 +234,8 @@ TEST(LayerFaults, MistakesOfTextureCoordinatesAndAlbedosAreNamed) {
   const auto v = [](int, int y) { return 0.03F * static_cast<float>(y); };
   const auto from_top = [](int, int y) { return 1 - 0.03F * static_cast<float>(y); };
   const auto uv = with_layers({{"uv.U", u}, {"uv.V", v}});
-  expect_part(fault_of(with_layers({{"uv.U", u}, {"uv.V", from_top}}), uv), "counted from the other end in v");
+  expect_part(fault_of(with_layers({{"uv.U", u}, {"uv.V", from_top}}), uv),
+              "counted from the other end in v");
   expect_part(fault_of(with_layers({{"uv.U", v}, {"uv.V", u}}), uv), "swapped in u and v");
   const auto encoded = [=](int x, int y) { return image::srgb_encode(u(x, y)); };
   const auto albedo = with_layers({{"albedo.R", u}, {"albedo.G", u}, {"albedo.B", u}});
