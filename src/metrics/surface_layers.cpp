@@ -206,6 +206,8 @@ std::optional<BlockError> block_error(const ImagePair& pair,
     ++count;
   });
   if (count == 0) return std::nullopt;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (!std::isfinite(difference)) return BlockError{kInfinity, kInfinity};
   const double off = std::fabs(difference) / count;
   return BlockError{off, std::max(0.0, off - quantile * std::sqrt(variance) / count)};
 }

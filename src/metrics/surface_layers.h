@@ -3,6 +3,7 @@
 #include "metrics/metric.h"
 
 #include <string>
+#include <string_view>
 
 /// Layers of surfaces (AOVs): depth, normals, albedo, texture coordinates and numbers of things, in the forms
 /// of image/layers.h. They have next to no noise, so single pixels are judged; a renderer may take a mean
@@ -56,5 +57,10 @@ inline constexpr MetricInfo kLayerError{
     Computed::Always,
     GateRule::Certain,
     describe_layer_error};
+
+/// Whether a metric of this name compares layers of surfaces, and not colours.
+inline bool is_of_layers(std::string_view metric) {
+  return metric == kLayerPixels.name || metric == kLayerError.name;
+}
 
 }  // namespace orbs::metrics

@@ -10,6 +10,7 @@
 #include "judge/judge.h"
 #include "judge/provenance.h"
 #include "metrics/merged_renders.h"
+#include "metrics/surface_layers.h"
 #include "run/looks.h"
 #include "run/other_references.h"
 #include "run/wrong_regions.h"
@@ -74,8 +75,9 @@ void diagnose(const Plan& plan,
               const image::Image& reference,
               const WorkFolders& folders,
               TargetRecord& record) {
+  // The usual faults are those of colours; metrics name those of layers themselves.
   const bool is_refused = std::any_of(record.checks.begin(), record.checks.end(), [](const auto& check) {
-    return check.measured && check.decided && !check.passed;
+    return check.measured && check.decided && !check.passed && !metrics::is_of_layers(check.what);
   });
   if (record.verdict != Verdict::Fail || !is_refused) return;
   const auto others = other_references(plan, one_case, record.target, folders.references);

@@ -97,6 +97,34 @@ TEST(Judge, StokesParametersMustBeThereAndRight) {
       Verdict::Pass);
 }
 
+namespace {
+
+// Grey, a depth beside it.
+image::Image grey_at(float depth_m) {
+  auto image = image::make_image(16, 16, {"R", "G", "B", "depth.Z"});
+  for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = i % 4 < 3 ? 0.5F : depth_m;
+  return image;
+}
+
+}  // namespace
+
+TEST(Judge, LayersMustBeThereAndRight) {
+  auto layered = one_case();
+  layered.gates.push_back({"layer_pixels", {}, 0});
+  layered.gates.push_back({"layer_error", {}, 0.001});
+  EXPECT_EQ(judged(layered, grey_at(2), grey_at(2)).verdict, Verdict::Pass);
+  const auto wrong = judged(layered, grey_at(2.5F), grey_at(2));
+  EXPECT_EQ(wrong.verdict, Verdict::Fail);
+  EXPECT_NE(wrong.reason.find("the layer 'depth' is 1.25 times what it should be"), std::string::npos)
+      << wrong.reason;
+  const auto broken = judged(layered, grey_at(std::numeric_limits<float>::quiet_NaN()), grey_at(2));
+  EXPECT_EQ(broken.verdict, Verdict::Fail);
+  const auto without = judged(layered, image::select_rgb(grey_at(2), ""), grey_at(2));
+  EXPECT_EQ(without.verdict, Verdict::Fail);
+  EXPECT_NE(without.reason.find("it lacks layers that the scene asks for: depth"), std::string::npos)
+      << without.reason;
+}
+
 TEST(Judge, NumbersCarryTheirDefinitions) {
   const auto record = judged(one_case(), grey(0.26F), grey(0.25F));
   ASSERT_FALSE(record.measures.empty());

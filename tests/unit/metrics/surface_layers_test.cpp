@@ -117,6 +117,7 @@ TEST(SurfaceLayers, OnePixelOffIsFoundWithItsPlace) {
   EXPECT_GT(found.map.at(20, 9, 0), 0.3F);
   wrong.at(20, 9, 3) = std::numeric_limits<float>::quiet_NaN();
   EXPECT_EQ(pixels_off(wrong, ramp_reference()).value, 1);
+  EXPECT_TRUE(std::isinf(*error(wrong, ramp_reference()).value));
 }
 
 // Renderers differ in what they make of what is beside a surface.
