@@ -76,7 +76,8 @@ void add_probe_command(const command_line::Command& command, const Program& prog
   add_options(command, *options);
   command.footer(
       "Renders an id pass, in which every material of every instance and every light has a different colour, "
-      "and a uv pass. Both are compared with primary visibility as orbs computes it from the scene.\n"
+      "and a uv pass. A renderer that declares V1 also renders depth, position, normal and uv as layers (AOVs), as far as it "
+      "has them. All are compared with primary visibility as orbs computes it from the scene.\n"
       "Exit status: 0 if all that could be checked is right, 1 if a renderer is not right or nothing could be "
       "checked.");
   command.callback([=, &program, &action] {

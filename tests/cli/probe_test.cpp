@@ -90,3 +90,11 @@ TEST(ProbeCommand, SaysHowARendererFailed) {
   EXPECT_EQ(answer.status, 1) << answer.text;
   EXPECT_NE(answer.text.find("ended with exit code 3"), std::string::npos) << answer.text;
 }
+
+TEST(ProbeCommand, ComparesTheLayersThatARendererHas) {
+  const Sandbox sandbox;
+  const auto answer = sandbox.orbs({"probe", "--configuration", ORBS_SOURCE_DIR "/configuration.json", "-r",
+                                    "orbs", "-s", "113", "--side", "64", "--spp", "4"});
+  EXPECT_EQ(answer.status, 0) << answer.text;
+  EXPECT_NE(answer.text.find("layers depth, position, normal, uv in"), std::string::npos) << answer.text;
+}

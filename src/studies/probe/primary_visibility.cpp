@@ -21,6 +21,7 @@ namespace {
 struct TriangleSetup {
   std::array<Vec3d, 3> rows;  // in the camera's frame: right, up, forward
   std::array<Vec2f, 3> uvs;
+  std::array<Vec3d, 3> normals;  // in the world
   int object = kNoObject;
   int first_row = 0;  // bounds of the pixels that it may touch
   int last_row = 0;
@@ -79,6 +80,7 @@ void add_instance(const scene::Scene& scene,
                   const View& view,
                   std::vector<TriangleSetup>& out) {
   const auto& mesh = nth(scene.meshes, instance.mesh);
+  const Mat4 back = inverse(instance.matrix).value();
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     std::array<Vec3d, 3> v;
     TriangleSetup setup;
@@ -87,6 +89,7 @@ void add_instance(const scene::Scene& scene,
       v[k] = view.to_camera(transform_point(instance.matrix, cast<double>(mesh.positions[index])) -
                             view.position);
       setup.uvs[k] = mesh.uvs[index];
+      setup.normals[k] = normalised(transform_normal(back, cast<double>(mesh.normals[index])));
     }
     const double volume = dot(v[0], cross(v[1], v[2]));
     if (volume == 0) continue;                                // no area, or seen exactly edge-on
@@ -121,9 +124,11 @@ void intersect_triangle(const TriangleSetup& triangle, Vec3d d, NearestHit& near
     return static_cast<float>(
         (b0 * static_cast<double>(a) + b1 * static_cast<double>(b) + b2 * static_cast<double>(c)) / sum);
   };
+  const auto& n = triangle.normals;
   nearest.inverse_distance = sum;
   nearest.surface = {triangle.object, mix(triangle.uvs[0].x, triangle.uvs[1].x, triangle.uvs[2].x),
-                     mix(triangle.uvs[0].y, triangle.uvs[1].y, triangle.uvs[2].y)};
+                     mix(triangle.uvs[0].y, triangle.uvs[1].y, triangle.uvs[2].y), 1 / sum,
+                     cast<float>(normalised(n[0] * b0 + n[1] * b1 + n[2] * b2))};
 }
 
 void intersect_light(const LightSetup& light, Vec3d world_direction, NearestHit& nearest) {
@@ -132,7 +137,7 @@ void intersect_light(const LightSetup& light, Vec3d world_direction, NearestHit&
       std::visit([&](const auto& shape) { return scene::hit(shape, light.origin, d); }, light.light->shape);
   if (1 / hit.distance <= nearest.inverse_distance) return;
   nearest.inverse_distance = 1 / hit.distance;
-  nearest.surface = {hit.is_front ? light.object : kNoObject, 0, 0};
+  nearest.surface = {hit.is_front ? light.object : kNoObject, 0, 0, hit.distance, {}};
 }
 
 // A scene prepared for visibility tests.

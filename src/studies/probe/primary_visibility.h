@@ -17,6 +17,8 @@ struct VisibleSurface {
   int object = kNoObject;  // index of a material of the scene; of a light: materials.size() + its index
   float u = 0;             // texture coordinates of a mesh
   float v = 0;
+  double depth_m = 0;  // along the axis; 0 of the background
+  Vec3f normal;        // unit, of a mesh: interpolated, in the world, as the mesh has it
 };
 
 /// A grid of points over each pixel; the outermost ones lie `margin_px` outside the pixel's edges.

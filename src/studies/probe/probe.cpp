@@ -104,6 +104,42 @@ ProbeImage uv_pass(const ProbeInputs& inputs,
   return taken;
 }
 
+// The layers that the renderer can be asked for, each tried by itself.
+std::vector<std::string> layers_to_ask(const registry::Renderer& renderer,
+                                       const ProbeScene& probe,
+                                       std::string& unsupported) {
+  std::vector<std::string> layers;
+  for (const auto& layer : kProbedLayers) {
+    auto scene = probe.scene;
+    scene.outputs.layers = {layer};
+    const auto prepared = adapters::prepare_scene(renderer, scene);
+    if (const auto* reason = std::get_if<std::string>(&prepared))
+      unsupported = *reason;
+    else
+      layers.push_back(layer);
+  }
+  if (!layers.empty()) unsupported.clear();
+  return layers;
+}
+
+ProbeLayers layers_pass(const ProbeInputs& inputs,
+                        const run::ChosenRenderer& renderer,
+                        const ProbeScene& probe,
+                        const std::vector<VisibleSurface>& surfaces) {
+  ProbeLayers taken;
+  auto layers = layers_to_ask(renderer.entry, probe, taken.unsupported);
+  if (layers.empty()) return taken;
+  auto scene = probe.scene;
+  scene.outputs.layers = layers;
+  const auto made = render_pass(inputs, renderer, scene, Ramp::Emitted, [&](const image::Image& image) {
+    taken.findings = compare_layers(probe, surfaces, image, layers);
+    return ProbeFindings{};
+  });
+  taken.no_image = made.no_image;
+  if (taken.no_image.empty()) taken.layers = std::move(layers);
+  return taken;
+}
+
 void say_record(const ProbeInputs& inputs, const ProbeRecord& record) {
   inputs.context.say(fmt::format("{:<20} {:<8} {}", record.scene, record.renderer, probe_message(record)));
 }
@@ -116,7 +152,7 @@ void probe_scene(const ProbeInputs& inputs,
   for (const auto& chosen : inputs.plan.renderers) {
     if (is_stopped(inputs.context)) return;
     const auto renderer = with_emission(chosen);
-    ProbeRecord record{planned.name, renderer.entry.name, {}, {}, {}};
+    ProbeRecord record{planned.name, renderer.entry.name, {}, {}, {}, {}};
     for (const auto& object : probe.objects) record.object_names.push_back(object.name);
     if (!adapters::native_scene(renderer.entry, planned.file, planned.name).empty()) {
       record.id_pass.unsupported = "is rendered from a hand-written scene, which nobody can colour";
@@ -128,6 +164,7 @@ void probe_scene(const ProbeInputs& inputs,
         render_pass(inputs, renderer, probe.scene, Ramp::Emitted,
                     [&](const image::Image& image) { return compare_id_pass(probe, surfaces, image); });
     if (record.id_pass.unsupported.empty()) record.uv_pass = uv_pass(inputs, renderer, probe, surfaces);
+    if (record.id_pass.unsupported.empty()) record.layers = layers_pass(inputs, renderer, probe, surfaces);
     if (is_stopped(inputs.context)) return;
     say_record(inputs, record);
     records.push_back(std::move(record));

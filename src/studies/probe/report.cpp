@@ -45,6 +45,27 @@ std::string fault(const char* what, const ProbeRecord& record, const ProbeImage&
   return image.findings.mismatches.empty() ? "" : differs(what, record, image.findings);
 }
 
+std::string layers_fault(const ProbeLayers& layers) {
+  if (!layers.no_image.empty()) return layers.no_image;
+  return layers.findings.fault.empty() ? "" : "layers differ: " + layers.findings.fault;
+}
+
+// ", layers depth and normal in 412"; nothing for a renderer that has none, as most.
+std::string layers_text(const ProbeLayers& layers) {
+  if (layers.layers.empty()) return "";
+  return fmt::format(", layers {} in {}", fmt::join(layers.layers, ", "), layers.findings.compared);
+}
+
+void put_layers(json::Writer& out, const ProbeLayers& layers) {
+  out.key("layers").begin_object();
+  if (!layers.unsupported.empty()) out.member("unsupported", layers.unsupported);
+  if (!layers.no_image.empty()) out.member("no_image", layers.no_image);
+  out.key("compared").begin_array();
+  for (const auto& layer : layers.layers) out.value(layer);
+  out.end_array().member("compared_pixels", layers.findings.compared);
+  out.member("fault", layers.findings.fault).end_object();
+}
+
 void put_image(json::Writer& out, const char* name, const ProbeRecord& record, const ProbeImage& image) {
   out.key(name).begin_object();
   if (!image.unsupported.empty()) out.member("unsupported", image.unsupported);
@@ -67,7 +88,8 @@ void put_image(json::Writer& out, const char* name, const ProbeRecord& record, c
 
 ProbeVerdict probe_verdict(const ProbeRecord& record) {
   if (!record.id_pass.unsupported.empty()) return ProbeVerdict::NotChecked;
-  if (!fault("", record, record.id_pass).empty() || !fault("", record, record.uv_pass).empty())
+  if (!fault("", record, record.id_pass).empty() || !fault("", record, record.uv_pass).empty() ||
+      !layers_fault(record.layers).empty())
     return ProbeVerdict::Wrong;
   return undecided(record.id_pass).empty() && undecided(record.uv_pass).empty() ? ProbeVerdict::Right
                                                                                 : ProbeVerdict::NotChecked;
@@ -79,14 +101,16 @@ std::string probe_message(const ProbeRecord& record) {
   if (!id_fault.empty()) return id_fault;
   const auto uv_fault = fault("texture coordinates differ", record, record.uv_pass);
   if (!uv_fault.empty()) return uv_fault;
+  if (const auto fault = layers_fault(record.layers); !fault.empty()) return fault;
   for (const auto* image : {&record.id_pass, &record.uv_pass})
     if (const auto reason = undecided(*image); !reason.empty()) return "not checked: " + reason;
   const int cracks = record.id_pass.findings.cracks;
-  return fmt::format("ok, {} pixels{}, {}", record.id_pass.findings.compared,
+  return fmt::format("ok, {} pixels{}, {}{}", record.id_pass.findings.compared,
                      cracks == 0 ? "" : fmt::format(" ({} of them at cracks between triangles)", cracks),
                      record.uv_pass.unsupported.empty()
                          ? fmt::format("texture coordinates in {}", record.uv_pass.findings.compared)
-                         : "texture coordinates not checked: " + record.uv_pass.unsupported);
+                         : "texture coordinates not checked: " + record.uv_pass.unsupported,
+                     layers_text(record.layers));
 }
 
 std::string probe_json(const std::vector<ProbeRecord>& records) {
@@ -101,6 +125,7 @@ std::string probe_json(const std::vector<ProbeRecord>& records) {
         .member("reason", probe_message(record));
     put_image(out, "id_pass", record, record.id_pass);
     put_image(out, "uv_pass", record, record.uv_pass);
+    put_layers(out, record.layers);
     out.end_object();
   }
   out.end_array();

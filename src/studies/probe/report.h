@@ -1,6 +1,7 @@
 #pragma once
 
 #include "studies/probe/compare.h"
+#include "studies/probe/layers_pass.h"
 
 #include <string>
 #include <vector>
@@ -16,11 +17,20 @@ struct ProbeImage {
   ProbeFindings findings;
 };
 
+/// The pass of layers: of each layer by itself whether the renderer has it.
+struct ProbeLayers {
+  std::vector<std::string> layers;  // that were compared
+  std::string unsupported;          // the reason why there is none; "" if there is one
+  std::string no_image;             // how the renderer failed; "" if it did not
+  LayerFindings findings;
+};
+
 struct ProbeRecord {
   std::string scene;
   std::string renderer;
   ProbeImage id_pass;
   ProbeImage uv_pass;
+  ProbeLayers layers;
   std::vector<std::string> object_names;
 };
 

@@ -1,9 +1,11 @@
 // Painted images of a probe: the right one, and what comes of a wrong camera, a lost or exchanged object.
 #include "base/files.h"
+#include "scene/camera_frame.h"
 #include "scene/geometry/generators.h"
 #include "scene/load/load_scene.h"
 #include "scene/lower/lower.h"
 #include "studies/probe/compare.h"
+#include "studies/probe/layers_pass.h"
 #include "studies/probe/scene.h"
 
 #include <algorithm>
@@ -205,4 +207,50 @@ TEST(Probe, TheRampIsAnExrWithoutCompression) {
   EXPECT_EQ(line_of(0)[0], 1);
   EXPECT_EQ(line_of(0)[studies::kRampSize], 255.5F / 256);
   EXPECT_EQ(line_of(200)[3 * studies::kRampSize - 1], 255.5F / 256);
+}
+
+namespace {
+
+// The depths that a renderer with a box filter would write, as `mistake` makes them of the depth and of the
+// length of the ray for a depth of 1.
+image::Image depths(const studies::ProbeScene& probe, double (*mistake)(double depth, double length)) {
+  constexpr studies::VisibilityGrid kGrid{8, -1.0 / 16};
+  const auto& camera = probe.scene.camera;
+  const auto frame = scene::camera_frame(camera);
+  auto image = image::make_image(camera.width_px, camera.height_px, {"R", "G", "B", "depth.Z"});
+  const auto surfaces = studies::primary_visibility(probe.scene, kGrid, 1);
+  for (int y = 0; y < camera.height_px; ++y)
+    for (int x = 0; x < camera.width_px; ++x) {
+      const double ray = length(scene::camera_ray(camera, frame, x + 0.5, y + 0.5).direction);
+      const auto pixel = static_cast<std::size_t>(y * camera.width_px + x);
+      double sum = 0;
+      for (std::size_t k = 0; k < 64; ++k) sum += surfaces[64 * pixel + k].depth_m;
+      image.at(x, y, 3) = static_cast<float>(mistake(sum / 64, ray));
+    }
+  return image;
+}
+
+studies::LayerFindings layer_findings(double (*mistake)(double depth, double length)) {
+  const auto probe = studies::make_id_pass(two_boxes(), 128);
+  return studies::compare_layers(probe, studies::primary_visibility(probe.scene, {}, 1),
+                                 depths(probe, mistake), {"depth"});
+}
+
+}  // namespace
+
+TEST(Probe, ComparesLayersWithWhatIsVisible) {
+  const auto right = layer_findings([](double depth, double) { return depth; });
+  EXPECT_EQ(right.fault, "");
+  EXPECT_GT(right.compared, 500);
+  const auto along_rays = layer_findings([](double depth, double length) { return depth * length; });
+  EXPECT_NE(along_rays.fault.find("the layer 'depth' is along the ray"), std::string::npos)
+      << along_rays.fault;
+}
+
+TEST(Probe, NamesTheLayersThatAreMissing) {
+  const auto probe = studies::make_id_pass(two_boxes(), 128);
+  const auto found =
+      studies::compare_layers(probe, studies::primary_visibility(probe.scene, {}, 1),
+                              depths(probe, [](double depth, double) { return depth; }), {"depth", "normal"});
+  EXPECT_EQ(found.fault, "it lacks the layers normal");
 }
