@@ -94,7 +94,7 @@ std::vector<std::string> users() {
 
 bool refuses_namespaces(const Answer& answer) { return contains(answer.text, "bwrap says"); }
 
-constexpr const char* kRun = "run -r good -s grey -e ./curious -o ";
+const std::string kRun = "run -r good -s grey -e ./curious -o ";
 
 }  // namespace
 
@@ -103,7 +103,7 @@ TEST(Isolation, ARendererSeesNothingButWhatItNeeds) {
     const Surroundings around;
     const Sandbox sandbox;
     write_curious_renderer(sandbox, around);
-    const auto open = orbs_as(sandbox, user, std::string(kRun) + "open");
+    const auto open = orbs_as(sandbox, user, kRun + "open");
     EXPECT_EQ(open.status, 0) << open.text;
     for (const char* part :
          {"it reads references", "it reads what nobody named", "it writes elsewhere",
@@ -113,7 +113,7 @@ TEST(Isolation, ARendererSeesNothingButWhatItNeeds) {
 
     fs::remove(sandbox.folder() / "said");
     fs::remove(sandbox.folder() / "mark");
-    const auto shut = orbs_as(sandbox, user, std::string(kRun) + "shut --sandbox");
+    const auto shut = orbs_as(sandbox, user, kRun + "shut --sandbox");
     if (refuses_namespaces(shut)) GTEST_SKIP() << "the kernel or container refuses namespaces: " << shut.text;
     EXPECT_EQ(shut.status, 0) << shut.text;
     EXPECT_FALSE(sandbox.has("said")) << user << ": " << said(sandbox);
@@ -134,14 +134,14 @@ TEST(Isolation, HoldsForVersionCommandsAndStudies) {
                R"("executable": "{build}/orbs-fake-renderer", "version_command")",
                R"("executable": "{root}/curious", "version_command")");
     const bool is_run = std::string(command).starts_with("run");
-    const auto words = is_run ? std::string(kRun) + "out" : std::string(command);
+    const auto words = is_run ? kRun + "out" : std::string(command);
     const auto answer = orbs_as(sandbox, "", words + " --sandbox");
     if (refuses_namespaces(answer)) GTEST_SKIP() << answer.text;
     EXPECT_FALSE(sandbox.has("said")) << command << ": " << said(sandbox) << answer.text;
     EXPECT_FALSE(sandbox.has("mark")) << command;
     EXPECT_FALSE(sandbox.has("found")) << command << ": the version command writes where orbs was started";
     fs::remove_all(sandbox.folder() / "study");
-    orbs_as(sandbox, "", is_run ? std::string(kRun) + "open" : std::string(command));
+    orbs_as(sandbox, "", is_run ? kRun + "open" : std::string(command));
     EXPECT_TRUE(sandbox.has("said")) << command << " starts it";
   }
 }
