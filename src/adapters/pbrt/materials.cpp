@@ -243,7 +243,9 @@ const BeyondOrbs& beyond_orbs() {
        {"B5", "pbrt's rough coat is walked through at random and has another dependence on the angle"},
        {"B7", "pbrt has no material of metallic and roughness"},
        {"B8", "pbrt has no Phong reflection"},
-       {"D5", "pbrt makes spectra of the colours of a sky by a model of its own"},
+       {"D5",
+        "pbrt multiplies the colours of a sky's image by the spectrum of daylight: even a grey one is 0.83, 1.02 "
+        "and 1.06 in red, green and blue"},
        {"D6", "pbrt's camera sees all that shines"},
        {"E3", "pbrt carries no polarisation"},
        {"E4", "pbrt has no fluorescence"},
