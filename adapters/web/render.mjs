@@ -35,18 +35,21 @@ function withoutReflection(scene) {
   });
 }
 
-/** Rays from the position of the camera to any distance. Those of the path tracer go from the near plane to the far one, by
- * a matrix of floats that yields no direction where the near plane is so near and the far one so far as in our files. */
+/** Rays from the position of the camera, or side by side where it is orthographic, to any distance. Those of the path
+ * tracer go from the near plane to the far one, by a matrix of floats that yields no direction where the near plane is so
+ * near and the far one so far as in our files. */
 function raysWithoutPlanes(camera) {
   camera.updateWorldMatrix(true, false);
   const toWorld = uniform(camera.matrixWorld);
-  const height = uniform(Math.tan(MathUtils.degToRad(camera.fov / 2)));
-  const width = uniform(height.value * camera.aspect);
+  const isFlat = camera.isOrthographicCamera;
+  const height = uniform(isFlat ? camera.top : Math.tan(MathUtils.degToRad(camera.fov / 2)));
+  const width = uniform(isFlat ? camera.right : height.value * camera.aspect);
+  const spread = uniform(isFlat ? 0 : 1);
   const fn = wgslTagFn`
     fn getCameraRay( uv: vec2f, resolution: vec2f, ray: ptr<function, ${rayStruct}> ) -> bool {
       let p = ( 2.0 * uv - vec2f( 1.0 ) ) * vec2f( ${width}, ${height} );
-      ray.origin = ( ${toWorld} * vec4f( 0.0, 0.0, 0.0, 1.0 ) ).xyz;
-      ray.direction = normalize( ( ${toWorld} * vec4f( p, - 1.0, 0.0 ) ).xyz );
+      ray.origin = ( ${toWorld} * vec4f( p * ( 1.0 - ${spread} ), 0.0, 1.0 ) ).xyz;
+      ray.direction = normalize( ( ${toWorld} * vec4f( p * ${spread}, - 1.0, 0.0 ) ).xyz );
       ray.maxDist = 0.0;
       return true;
     }

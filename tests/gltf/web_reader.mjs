@@ -22,18 +22,22 @@ for (const [path, command] of Object.entries(needed))
 // pixels, as WebGPU pads rows of fewer than 16, and with 4 samples, which show the mean to 0.002 %: of more, a path is lost now
 // and then (docs/use/renderers.md says why), and where one pixel has all the noise there is, the mean stays undecided. And a
 // floor below a rectangle and a disk, which 128 samples decide where lamps are sampled, and leave open where they are met by
-// chance.
-const kRuns = {
-  "flat-field,furnace-plane": ["--size", "1/8", "--fixed-samples", "--spp-scale", "0.0625"],
-  "rect-above,disk-above": ["--size", "1/4", "--fixed-samples", "--spp-scale", "0.25"],
-};
+// chance. And a floor below a point, slopes in parallel light, and squares seen by an orthographic camera, whose edges need
+// the samples.
+const kRuns = [
+  ["known", "flat-field,furnace-plane", "1/8", "0.0625"],
+  ["known", "rect-above,disk-above", "1/4", "0.25"],
+  ["everyday", "d1-floor,d3-slopes", "1/4", "0.25"],
+  ["everyday", "c2-squares", "1/4", "2"],
+];
 
 /** Whether all scenes pass. */
-function passes(scenes, images, output) {
+function passes([suite, scenes, size, share], output) {
   const options = ["--configuration", join(source, "configuration.json"), "-r", "web-gltf"];
+  const images = ["--size", size, "--fixed-samples", "--spp-scale", share];
   const call = spawnSync(
     join(build, "orbs"),
-    ["run", ...options, ...images, "--suite", "known", "-s", scenes, "-v", "-o", output],
+    ["run", ...options, ...images, "--suite", suite, "-s", scenes, "-v", "-o", output],
     { encoding: "utf8" },
   );
   const told = call.stdout + call.stderr; // the lines of the targets are on stderr
@@ -44,9 +48,7 @@ function passes(scenes, images, output) {
 
 const folder = mkdtempSync(join(tmpdir(), "orbs-web-"));
 try {
-  const failed = Object.entries(kRuns).filter(
-    ([scenes, images], i) => !passes(scenes, images, join(folder, `run${i}`)),
-  );
+  const failed = kRuns.filter((run, i) => !passes(run, join(folder, `run${i}`)));
   process.exitCode = failed.length === 0 ? 0 : 1;
 } finally {
   rmSync(folder, { recursive: true, force: true });
