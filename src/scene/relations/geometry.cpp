@@ -3,6 +3,7 @@
 #include "scene/camera_frame.h"
 #include "scene/geometry/generators.h"
 #include "scene/geometry/world_bounds.h"
+#include "scene/relations/light.h"
 
 #include <algorithm>
 #include <cassert>
@@ -109,11 +110,14 @@ bool is_opaque_and_two_sided(const MaterialModel& model) {
          std::holds_alternative<Emission>(model);
 }
 
+// Turned normals are those of the side that the vertex normals point to, so they would be turned otherwise.
 bool may_flip_normals(const Scene& scene, std::size_t mesh) {
   for (const auto& instance : scene.instances)
     if (instance.mesh == static_cast<int>(mesh))
       for (const int material : scene.meshes[mesh].triangle_materials)
-        if (!is_opaque_and_two_sided(material_at(scene, remapped(instance, material)).model)) return false;
+        if (const auto& shown = material_at(scene, remapped(instance, material));
+            !is_opaque_and_two_sided(shown.model) || turns_normals(shown.detail))
+          return false;
   return true;
 }
 
@@ -155,6 +159,15 @@ std::variant<Scene, std::string> with_emitters_split(const Scene& scene) {
   out.lights.clear();
   for (const auto& light : scene.lights) {
     const auto* rect = std::get_if<RectShape>(&light.shape);
+    if (!has_area(light.shape)) {
+      is_any = true;
+      for (const char* half : {"first", "second"}) {
+        out.lights.push_back(light);
+        out.lights.back().name = fmt::format("{} {} half", light.name, half);
+        multiply_emission(out.lights.back(), 0.5);
+      }
+      continue;
+    }
     if (rect == nullptr || light.ies) {
       out.lights.push_back(light);
       continue;
@@ -169,7 +182,7 @@ std::variant<Scene, std::string> with_emitters_split(const Scene& scene) {
         out.lights.push_back(std::move(quarter));
       }
   }
-  if (!is_any) return "it has no flat mesh with emission and no rectangular light";
+  if (!is_any) return "it has no flat mesh with emission, no rectangular light and none without an area";
   return out;
 }
 

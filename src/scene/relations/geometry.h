@@ -28,7 +28,8 @@ Scene with_lights_reversed(const Scene& scene);
 std::variant<Scene, std::string> with_triangles_split(const Scene& scene);
 
 /// Meshes with emission are split likewise, and rectangular lights without a profile become four of a quarter
-/// of the area. The reason if the scene has neither.
+/// of the area; lights without an area become two of half the power. The reason if the scene has none of
+/// them.
 std::variant<Scene, std::string> with_emitters_split(const Scene& scene);
 
 /// Every triangle with its corners in reverse order; where all materials of a mesh are opaque and the same

@@ -22,11 +22,11 @@ struct Ground {
 
 bool is_opaque_and_plain(const Scene& scene, const Instance& instance) {
   for (const int material : mesh_of(scene, instance).triangle_materials) {
-    const auto& model = material_at(scene, remapped(instance, material)).model;
+    const auto& [name, model, detail] = material_at(scene, remapped(instance, material));
     const bool is_opaque = std::holds_alternative<Lambert>(model) ||
                            std::holds_alternative<OrenNayar>(model) ||
                            std::holds_alternative<Mirror>(model) || std::holds_alternative<Ggx>(model);
-    if (!is_opaque || texture_of(model)) return false;
+    if (!is_opaque || texture_of(model) || detail != SurfaceDetail{}) return false;
   }
   return true;
 }
@@ -74,7 +74,8 @@ Mat4 widened(const Ground& ground, const Mat4& matrix, double factor) {
 std::variant<Scene, std::string> with_large_ground(const Scene& scene, double ratio) {
   const auto ground = find_ground(scene);
   if (!ground) return kNoGround;
-  if (!ground->others) return "it has nothing but a ground";
+  // A point of light alone has no size that a ground could be larger than.
+  if (!ground->others || !(radius_of(*ground->others) > 0)) return "it has nothing but a ground";
   if (shines(scene.environment) || scene.environment.spectrum)
     return "its environment shines, and a larger ground hides more of it: its edge is a horizon in view";
   Scene out = scene;

@@ -13,6 +13,11 @@ namespace orbs::scene {
 
 namespace {
 
+bool is_reflection(const Mat4& motion) {
+  const auto image = [&](Vec3d axis) { return transform_direction(motion, axis); };
+  return dot(cross(image({1, 0, 0}), image({0, 1, 0})), image({0, 0, 1})) < 0;
+}
+
 void move_camera(Camera& camera, const Mat4& motion, double scale) {
   const auto move = [&](auto& view) {
     view.position_m = transform_point(motion, view.position_m);
@@ -27,6 +32,17 @@ void move_camera(Camera& camera, const Mat4& motion, double scale) {
   if (camera.focus_distance_m) *camera.focus_distance_m *= scale;
   camera.aperture_radius_m *= scale;
   std::visit([&](auto& kind) { orbs::scene::scale(kind, scale); }, camera.projection);
+  // The camera's right turns around with its image.
+  if (is_reflection(motion)) camera.shift.x = -camera.shift.x;
+}
+
+// Whether what a material looks like depends on the coordinates or on a direction along them.
+bool follows_coordinates(const Scene& scene, int index) {
+  const auto& material = material_at(scene, index);
+  if (const auto* blend = std::get_if<Blend>(&material.model))
+    for (const auto& part : blend->parts)
+      if (follows_coordinates(scene, part.material)) return true;
+  return !texture_uses(material).empty() || std::holds_alternative<AnisotropicGgx>(material.model);
 }
 
 }  // namespace
@@ -64,6 +80,9 @@ Scene moved(const Scene& scene, const Mat4& motion) {
         [&](auto& model) {
           if constexpr (requires { model.axis; })
             model.axis = transform_direction(motion, model.axis) / scale;
+          // Counter-clockwise becomes clockwise.
+          if constexpr (requires { model.rotation_deg; })
+            if (is_reflection(motion)) model.rotation_deg = -model.rotation_deg;
         },
         material.model);
   return out;
@@ -71,8 +90,8 @@ Scene moved(const Scene& scene, const Mat4& motion) {
 
 std::string turning_problem(const Scene& scene) {
   for (std::size_t i = 0; i < scene.spheres.size(); ++i)
-    if (texture_of(material_at(scene, scene.spheres[i].material).model))
-      return fmt::format("{} has a texture, whose coordinates follow the axes of the world",
+    if (follows_coordinates(scene, scene.spheres[i].material))
+      return fmt::format("{} has a texture or a grain, whose coordinates follow the axes of the world",
                          display_name("sphere", scene.spheres[i].name, i));
   return "";
 }

@@ -6,6 +6,7 @@
 #include "scene/relations/ground.h"
 #include "scene/relations/light.h"
 #include "scene/relations/motion.h"
+#include "scene/relations/surface.h"
 
 #include <utility>
 
@@ -89,6 +90,11 @@ Related unreachable(const Scene& scene, double) {
   if (scene.camera.end) return kCameraMoves;
   return related(scene, with_unreachable_object(scene));
 }
+Related clear_box(const Scene& scene, double) { return related(scene, with_clear_box(scene)); }
+Related points_as_spots(const Scene& scene, double) { return related(scene, with_points_as_spots(scene)); }
+Related points_as_spheres(const Scene& scene, double share) {
+  return related(scene, with_points_as_spheres(scene, share));
+}
 Related copies(const Scene& scene, double) {
   if (has_moving_objects(scene)) return kMoves;
   Scene world = scene;
@@ -140,6 +146,14 @@ std::vector<Relation> all_relations() {
       {"light_order", "lights in reverse order", "", kOne, false, light_order},
       {"split_triangles", "each triangle as four", "", kOne, false, split_triangles},
       {"split_emitters", "each emitter as four", "", kOne, false, split_emitters},
+      {"points_as_spots", "each point of light as two spots", "", kOne, false, points_as_spots},
+      {"points_as_spheres",
+       "each point of light as a small sphere, times the scene",
+       "",
+       {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9},
+       false,
+       points_as_spheres},
+      {"clear_box", "a box around all of opacity 0", "", kOne, false, clear_box},
       {"winding", "windings and normals flipped", "", kOne, false, winding},
       {"channels", "colour channels exchanged", "", kOne, false, channels},
       {"unreachable", "an object more that no path reaches", "", kOne, false, unreachable},

@@ -11,6 +11,8 @@
 #include "scene/relations/motion.h"
 #include "unit/scene/related_scenes.h"
 
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 using namespace orbs;
@@ -45,21 +47,19 @@ const scene::Scene& scene_in(const std::variant<scene::Scene, std::string>& chan
 // A renderer gets a file: each changed scene is written, and read again with all checks of the format.
 TEST(Relations, MakeScenesThatTheFormatHolds) {
   const ScratchFolder scratch("relations");
-  const auto original = block_on_ground();
-  int written = 0;
-  for (const auto& relation : scene::relations())
-    for (const double magnitude : relation.magnitudes) {
-      const auto related = relation.apply(original, magnitude);
-      if (std::holds_alternative<std::string>(related)) {
-        EXPECT_NE(magnitude, relation.magnitudes.front()) << relation.name << ": " << std::get<1>(related);
-        continue;
+  for (const auto& relation : scene::relations()) {
+    int written = 0;
+    for (const auto& original : {block_on_ground(), tests::terrace(), tests::lamp_above_ground()})
+      for (const double magnitude : relation.magnitudes) {
+        const auto related = relation.apply(original, magnitude);
+        if (std::holds_alternative<std::string>(related)) continue;
+        const auto file = scratch.path() / "scene.json";
+        scene::write_scene(std::get<0>(related).changed, file);
+        EXPECT_NO_THROW(scene::load_scene(file)) << relation.name << " " << magnitude << original.name;
+        ++written;
       }
-      const auto file = scratch.path() / "scene.json";
-      scene::write_scene(std::get<0>(related).changed, file);
-      EXPECT_NO_THROW(scene::load_scene(file)) << relation.name << " " << magnitude;
-      ++written;
-    }
-  EXPECT_GE(written, 10);
+    EXPECT_GE(written, 1) << relation.name;
+  }
 }
 
 TEST(Relations, ChangeSomething) {
@@ -161,6 +161,52 @@ TEST(Relations, ChannelsRotateThreeTimesToThemselves) {
   for (int i = 0; i < 3; ++i) scene = scene_in(scene::with_rotated_channels(scene));
   EXPECT_TRUE(scene == block_on_ground());
   EXPECT_EQ(scene_in(scene::with_rotated_channels(scene)).lights[0].radiance, (Vec3d{8, 4, 8}));
+}
+
+// By three rotations of its channels each colour comes back, so one that is left out is not seen there.
+TEST(Relations, BothColoursOfAMixRotate) {
+  auto scene = tests::terrace();
+  scene.environment.map.reset();
+  scene.textures.clear();
+  scene.materials[1].detail = {};
+  const auto changed = scene_in(scene::with_rotated_channels(scene));
+  const auto& mix = std::get<scene::GgxLambert>(changed.materials[4].model);
+  EXPECT_EQ(mix.colour, (Vec3d{0.5, 0.25, 0.25}));
+  EXPECT_EQ(mix.diffuse, (Vec3d{0.375, 0.5, 0.25}));
+}
+
+TEST(Relations, LightsWithoutAreaBecomeTwoOfHalfThePower) {
+  const auto changed = scene_in(scene::with_emitters_split(tests::terrace()));
+  ASSERT_EQ(changed.lights.size(), 6);
+  for (std::size_t i = 0; i < 6; ++i)
+    EXPECT_EQ(changed.lights[i].radiance, tests::terrace().lights[i / 2].radiance * 0.5) << i;
+}
+
+// The sphere that shines by I / (pi r^2) to all sides sends I to each, whatever its radius is.
+TEST(Relations, ASphereInThePlaceOfAPointHasItsFlux) {
+  const auto changed = scene_in(scene::with_points_as_spheres(tests::lamp_above_ground(), 1e-3));
+  const auto& lamp = changed.lights.at(0);
+  const double radius = std::get<scene::SphereShape>(lamp.shape).radius_m;
+  EXPECT_NEAR(radius, 1e-3 * length(Vec3d{0.5, 0.5, 0}), 1e-12) << "the camera is nearest";
+  EXPECT_NEAR(lamp.radiance.x * std::numbers::pi * radius * radius, 2, 1e-12);
+}
+
+TEST(Relations, APointStaysWhereASphereWouldBeSeen) {
+  auto scene = tests::lamp_above_ground();
+  scene.materials[0].model = scene::Mirror{{1, 1, 1}};
+  EXPECT_EQ(std::get<std::string>(scene::with_points_as_spheres(scene, 1e-3)),
+            "a sphere in the place of its point could be seen in its surfaces");
+  scene = tests::lamp_above_ground();
+  scene.lights[0].matrix = translation({0.125, 1, 0});
+  EXPECT_EQ(std::get<std::string>(scene::with_points_as_spheres(scene, 1e-3)),
+            "a sphere in the place of its point could be seen in the image");
+}
+
+// Only what is opaque and flat everywhere hides a sheet and may become as large as one likes.
+TEST(Relations, AGroundThatLetsRaysPassIsNone) {
+  auto scene = block_on_ground();
+  scene.materials[0].detail.opacity = 0.5;
+  EXPECT_TRUE(std::holds_alternative<std::string>(scene::with_sheet_below_ground(scene, 1e-3)));
 }
 
 TEST(Relations, AGroundGrowsToItsRatio) {
