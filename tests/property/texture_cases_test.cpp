@@ -1,49 +1,15 @@
 // The cases of textures and surface detail, whose images are known: the tracer shows them, and the typical
 // mistakes fail.
-#include "property/judged_case.h"
-#include "registry/configuration.h"
-#include "scene/load/load_scene.h"
-
-#include <functional>
-#include <set>
-#include <string>
-#include <vector>
+#include "property/mistaken_scenes.h"
 
 using namespace orbs;
 
 namespace {
 
-struct Mistake {
-  const char* what;
-  std::set<std::string> scenes;  // that show it
-  std::function<void(scene::Scene&)> make;
-};
+using tests::Mistake;
 
-// Remarks are none of the gates: an image without noise has rounding alone, and its errors are then alike.
-void expect_pass(const results::TargetRecord& record) {
-  EXPECT_TRUE(record.verdict == results::Verdict::Pass || record.verdict == results::Verdict::PassWithRemarks)
-      << record.target << ": " << results::verdict_name(record.verdict) << ", " << record.reason;
-}
-
-void expect_the_case_and_no_mistake(const std::string& name, const std::vector<Mistake>& mistakes) {
-  const auto suite =
-      registry::find_suite(registry::load_configuration(ORBS_SOURCE_DIR "/configuration.json"), "everyday");
-  for (const auto& one_case : registry::load_cases(suite)) {
-    if (one_case.name != name) continue;
-    for (const auto& one : one_case.scenes) {
-      const auto scene = scene::load_scene(one.file, {}, one.camera);
-      const auto expect = [&](const scene::Scene& shown, results::Verdict expected, const std::string& what) {
-        tests::expect_verdict(tests::judged(one_case, one.name, shown, suite.references), expected, what);
-      };
-      expect_pass(tests::judged(one_case, one.name, scene, suite.references));
-      for (const auto& [what, scenes, make] : mistakes) {
-        if (!scenes.contains(one.name)) continue;
-        auto wrong = scene;
-        make(wrong);
-        expect(wrong, results::Verdict::Fail, std::string(" with ") + what);
-      }
-    }
-  }
+void expect_mistakes_to_fail(const std::string& name, const std::vector<Mistake>& mistakes) {
+  tests::expect_the_case_and_no_mistake(name, mistakes, tests::Remarks::Allowed);
 }
 
 scene::Texture& texture_in(scene::Scene& scene) { return scene.textures.front(); }
@@ -68,7 +34,7 @@ TEST(TextureCases, BeyondTheEdge) {
   };
   using scene::Wrap;
   // A mirror that shows the edge texel once has a period of 2n - 2: of two texels, that is to repeat.
-  expect_the_case_and_no_mistake(
+  expect_mistakes_to_fail(
       "n4_wrap",
       {{"a texture that repeats, as one mirrored without its edge does",
         {"n4-mirror", "n4-mixed", "n4-turned", "n4-glow"},
@@ -87,7 +53,7 @@ TEST(TextureCases, BetweenTexels) {
   const auto filters = [](scene::Filter filter) {
     return [filter](scene::Scene& scene) { texture_in(scene).filter = filter; };
   };
-  expect_the_case_and_no_mistake(
+  expect_mistakes_to_fail(
       "n5_filter", {{"interpolation", {"n5-nearest", "n5-edges", "n5-glow"}, filters(scene::Filter::Linear)},
                     {"no interpolation", {"n5-linear"}, filters(scene::Filter::Nearest)},
                     {"half a texel too much",
@@ -121,7 +87,7 @@ TEST(TextureCases, SurfacesThatLetRaysPass) {
       detail.opacity = 1 - (1 - detail.opacity) * (1 - detail.opacity);
     });
   };
-  expect_the_case_and_no_mistake(
+  expect_mistakes_to_fail(
       "n3_opacity",
       {{"the opacity inverted", {"n3-sheets", "n3-leaves", "n3-lamp"}, inverted},
        {"no opacity", {"n3-sheets", "n3-mask", "n3-leaves"}, none},
@@ -187,7 +153,7 @@ TEST(TextureCases, NormalMaps) {
     for (auto& mesh : scene.meshes)
       for (auto& uv : mesh.uvs) uv.y = 1 - uv.y;
   };
-  expect_the_case_and_no_mistake(
+  expect_mistakes_to_fail(
       "n1_normal_map",
       {{"y flipped", {"n1-right", "n1-above", "n1-below"}, flipped},
        {"no map",

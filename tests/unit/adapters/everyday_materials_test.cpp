@@ -1,51 +1,13 @@
 // What the exporters write of the materials of group B; that the programs make the right images of it shows
 // in the suite everyday.
-#include "adapters/hydra/hydra.h"
-#include "adapters/mitsuba/mitsuba.h"
-#include "adapters/pbrt/pbrt.h"
-#include "adapters/povray/povray.h"
-#include "base/files.h"
-#include "scene/geometry/generators.h"
-
-#include <gtest/gtest.h>
+#include "unit/adapters/exported_text.h"
 
 namespace {
 
 using namespace orbs;
-namespace fs = std::filesystem;
+using tests::cube_of;
 
-scene::Scene made_of(const scene::MaterialModel& model) {
-  scene::Scene scene;
-  scene.camera.position_m = {0, 0, 5};
-  scene.trace_depth = 1;
-  scene.materials = {{"m", model}};
-  scene.meshes = {scene::make_cube({1})};
-  scene.meshes[0].triangle_materials.assign(12, 0);
-  scene.instances = {{"i", 0, {}, {}}};
-  return scene;
-}
-
-class EverydayMaterials : public testing::Test {
- protected:
-  std::string read(const char* name) const { return read_file(folder_ / name); }
-  std::string mitsuba(const scene::Scene& scene) {
-    adapters::write_mitsuba(scene, folder_ / "a.xml");
-    return read("a.xml");
-  }
-  std::string pbrt(const scene::Scene& scene) {
-    adapters::write_pbrt(scene, folder_ / "a.pbrt");
-    return read("a.pbrt");
-  }
-  std::string hydra(const scene::Scene& scene) {
-    adapters::write_hydra(scene, {}, folder_ / "a.xml");
-    return read("a.xml");
-  }
-
-  ScratchFolder scratch_{"orbs-everyday-materials"};
-  fs::path folder_ = scratch_.path();
-};
-
-#define EXPECT_HOLDS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text).substr(0, 4000)
+class EverydayMaterials : public tests::ExportedText {};
 
 scene::Plastic plastic(bool is_nonlinear, std::optional<double> alpha = {}) {
   return {{0.5, 0.4, 0.3}, {}, 1.7, is_nonlinear, alpha};
@@ -54,7 +16,7 @@ scene::Plastic plastic(bool is_nonlinear, std::optional<double> alpha = {}) {
 }  // namespace
 
 TEST_F(EverydayMaterials, PlasticHasAVacuumOutside) {
-  const auto smooth = made_of(plastic(true));
+  const auto smooth = cube_of(plastic(true));
   EXPECT_HOLDS(
       mitsuba(smooth),
       R"(<bsdf type="plastic"><float name="int_ior" value="1.7"/><float name="ext_ior" value="1"/><boolean name="nonlinear" value="true"/><rgb name="diffuse_reflectance" value="0.5, 0.4, 0.3"/>)");
@@ -62,7 +24,7 @@ TEST_F(EverydayMaterials, PlasticHasAVacuumOutside) {
                R"(<int_ior val="1.7"/><ext_ior val="1"/><alpha val="0.0001"/><nonlinear val="1"/>)");
   EXPECT_HOLDS(pbrt(smooth), R"("string type" "coateddiffuse")");
   EXPECT_HOLDS(pbrt(smooth), R"("float eta" 1.7 "float roughness" 0)");
-  const auto rough = made_of(plastic(false, 0.2));
+  const auto rough = cube_of(plastic(false, 0.2));
   EXPECT_HOLDS(mitsuba(rough), R"(<bsdf type="roughplastic">)");
   EXPECT_HOLDS(mitsuba(rough),
                R"(<boolean name="nonlinear" value="false"/><string name="distribution" value="ggx"/>)");
@@ -70,39 +32,39 @@ TEST_F(EverydayMaterials, PlasticHasAVacuumOutside) {
 }
 
 TEST_F(EverydayMaterials, PlasticThatAProgramLacksIsRefused) {
-  EXPECT_EQ(adapters::pbrt_limits(made_of(plastic(false))).size(), 1U);
-  EXPECT_EQ(adapters::pbrt_limits(made_of(plastic(true))).size(), 0U);
-  EXPECT_EQ(adapters::pbrt_limits(made_of(plastic(true, 0.2))).size(), 1U);
-  EXPECT_EQ(adapters::povray_limits(made_of(plastic(true)), {}).size(), 1U);
-  EXPECT_EQ(adapters::mitsuba_limits(made_of(plastic(true, 0.2))).size(), 0U);
+  EXPECT_EQ(adapters::pbrt_limits(cube_of(plastic(false))).size(), 1U);
+  EXPECT_EQ(adapters::pbrt_limits(cube_of(plastic(true))).size(), 0U);
+  EXPECT_EQ(adapters::pbrt_limits(cube_of(plastic(true, 0.2))).size(), 1U);
+  EXPECT_EQ(adapters::povray_limits(cube_of(plastic(true)), {}).size(), 1U);
+  EXPECT_EQ(adapters::mitsuba_limits(cube_of(plastic(true, 0.2))).size(), 0U);
 }
 
 TEST_F(EverydayMaterials, BrushedMetalHasTwoRoughnesses) {
   const scene::AnisotropicGgx brushed{{0.5, 0.5, 0.5}, 0.1, 0.3, 90, scene::Masking::Separable};
-  EXPECT_HOLDS(mitsuba(made_of(brushed)),
+  EXPECT_HOLDS(mitsuba(cube_of(brushed)),
                R"(<float name="alpha_u" value="0.3"/><float name="alpha_v" value="0.1"/>)");
   auto correlated = brushed;
   correlated.masking = scene::Masking::Correlated;
   correlated.rotation_deg = -180;
-  EXPECT_HOLDS(pbrt(made_of(correlated)), R"("float uroughness" 0.1 "float vroughness" 0.3)");
-  EXPECT_EQ(adapters::pbrt_limits(made_of(brushed)).size(), 1U) << "masking";
-  EXPECT_EQ(adapters::mitsuba_limits(made_of(correlated)).size(), 1U) << "masking";
+  EXPECT_HOLDS(pbrt(cube_of(correlated)), R"("float uroughness" 0.1 "float vroughness" 0.3)");
+  EXPECT_EQ(adapters::pbrt_limits(cube_of(brushed)).size(), 1U) << "masking";
+  EXPECT_EQ(adapters::mitsuba_limits(cube_of(correlated)).size(), 1U) << "masking";
   auto turned = brushed;
   turned.rotation_deg = 30;
-  EXPECT_EQ(adapters::mitsuba_limits(made_of(turned)).size(), 1U);
+  EXPECT_EQ(adapters::mitsuba_limits(cube_of(turned)).size(), 1U);
 }
 
 // 0.6 and 0.2 at most: a quarter shows Lambert's law, each part scaled to 0.8.
 TEST_F(EverydayMaterials, MixesAreWeightedMeans) {
   const scene::GgxLambert mix{{0.6, 0.6, 0.6}, 0.1, {0.2, 0.1, 0.1}, scene::Mix::Maximum};
-  EXPECT_HOLDS(mitsuba(made_of(mix)), R"(<bsdf type="blendbsdf"><float name="weight" value="0.25"/>)");
-  EXPECT_HOLDS(pbrt(made_of(mix)), R"(["material0-glossy" "material0-diffuse"] "float amount" 0.25)");
+  EXPECT_HOLDS(mitsuba(cube_of(mix)), R"(<bsdf type="blendbsdf"><float name="weight" value="0.25"/>)");
+  EXPECT_HOLDS(pbrt(cube_of(mix)), R"(["material0-glossy" "material0-diffuse"] "float amount" 0.25)");
   const scene::GgxLambert unlike{{0.8, 0.1, 0.1}, 0.1, {0.1, 0.8, 0.8}, scene::Mix::PerComponent};
-  EXPECT_EQ(adapters::mitsuba_limits(made_of(unlike)).size(), 1U);
+  EXPECT_EQ(adapters::mitsuba_limits(cube_of(unlike)).size(), 1U);
 }
 
 TEST_F(EverydayMaterials, BlendsNameTheirParts) {
-  auto scene = made_of(scene::Lambert{{0.5, 0.5, 0.5}, {}});
+  auto scene = cube_of(scene::Lambert{{0.5, 0.5, 0.5}, {}});
   scene.materials.push_back({"g", scene::Ggx{{1, 1, 1}, 0.1}});
   scene.materials.push_back({"b", scene::Blend{{{{"m", 0}, {"g", 1}}}, 0.25, {}}});
   for (int& material : scene.meshes[0].triangle_materials) material = 2;

@@ -1,16 +1,10 @@
 // What the exporters write of points, spots and directional light; that the programs make the right images of
 // it shows in the suite everyday.
-#include "adapters/gltf/gltf.h"
-#include "adapters/hydra/hydra.h"
 #include "adapters/lights_as_meshes.h"
-#include "adapters/mitsuba/mitsuba.h"
 #include "adapters/obj/obj.h"
-#include "adapters/pbrt/pbrt.h"
 #include "adapters/pbrt/profile_image.h"
-#include "adapters/povray/povray.h"
-#include "base/files.h"
 #include "json/document.h"
-#include "scene/geometry/generators.h"
+#include "unit/adapters/exported_text.h"
 
 #include <numbers>
 
@@ -24,46 +18,12 @@ namespace fs = std::filesystem;
 constexpr double kPi = std::numbers::pi;
 
 scene::Scene lit_by(const scene::LightShape& shape, const Mat4& matrix = translation({1, 2, 3})) {
-  scene::Scene scene;
-  scene.camera.position_m = {0, 0, 5};
-  scene.trace_depth = 1;
-  scene.materials = {{"m", scene::Lambert{{0.5, 0.5, 0.5}, {}}}};
-  scene.meshes = {scene::make_cube({1})};
-  scene.meshes[0].triangle_materials.assign(12, 0);
-  scene.instances = {{"i", 0, {}, {}}};
+  auto scene = tests::cube_of(scene::Lambert{{0.5, 0.5, 0.5}, {}});
   scene.lights = {{"l", shape, {3, 2, 1}, matrix, {}}};
   return scene;
 }
 
-class LightsWithoutArea : public testing::Test {
- protected:
-  std::string read(const char* name) const { return read_file(folder_ / name); }
-  std::string mitsuba(const scene::Scene& scene) {
-    adapters::write_mitsuba(scene, folder_ / "a.xml");
-    return read("a.xml");
-  }
-  std::string pbrt(const scene::Scene& scene) {
-    adapters::write_pbrt(scene, folder_ / "a.pbrt");
-    return read("a.pbrt");
-  }
-  std::string povray(const scene::Scene& scene) {
-    adapters::write_povray(scene, {}, folder_ / "a.pov");
-    return read("a.pov");
-  }
-  std::string hydra(const scene::Scene& scene) {
-    adapters::write_hydra(scene, {}, folder_ / "a.xml");
-    return read("a.xml");
-  }
-  std::string gltf(const scene::Scene& scene) {
-    adapters::write_gltf(scene, folder_ / "a.glb");
-    return read("a.glb");
-  }
-
-  ScratchFolder scratch_{"orbs-lights-without-area"};
-  fs::path folder_ = scratch_.path();
-};
-
-#define EXPECT_HOLDS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text).substr(0, 4000)
+class LightsWithoutArea : public tests::ExportedText {};
 
 TEST_F(LightsWithoutArea, PointsHaveTheirIntensity) {
   const auto scene = lit_by(scene::PointShape{});
