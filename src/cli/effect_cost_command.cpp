@@ -3,7 +3,7 @@
 #include "base/terminal.h"
 #include "cli/options.h"
 #include "cli/program.h"
-#include "cli/run_options.h"
+#include "cli/run/run_options.h"
 #include "results/effect_costs.h"
 #include "studies/effects/effect_cost.h"
 #include "studies/effects/report.h"

@@ -2,7 +2,7 @@
 #include "base/terminal.h"
 #include "cli/options.h"
 #include "cli/program.h"
-#include "cli/run_options.h"
+#include "cli/run/run_options.h"
 #include "registry/cases.h"
 #include "report/effects_table.h"
 #include "results/record.h"

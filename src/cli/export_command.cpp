@@ -3,7 +3,7 @@
 #include "base/terminal.h"
 #include "cli/options.h"
 #include "cli/program.h"
-#include "cli/run_options.h"
+#include "cli/run/run_options.h"
 #include "run/cluster/export_plan.h"
 #include "run/plan/make_plan.h"
 #include "run/plan/plan_file.h"

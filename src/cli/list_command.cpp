@@ -3,7 +3,7 @@
 #include "base/text_table.h"
 #include "cli/options.h"
 #include "cli/program.h"
-#include "cli/run_options.h"
+#include "cli/run/run_options.h"
 #include "json/writer.h"
 #include "registry/cases.h"
 

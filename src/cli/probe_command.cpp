@@ -2,7 +2,7 @@
 #include "base/files.h"
 #include "cli/options.h"
 #include "cli/program.h"
-#include "cli/run_options.h"
+#include "cli/run/run_options.h"
 #include "run/plan/make_plan.h"
 #include "studies/probe/probe.h"
 #include "studies/probe/report.h"

@@ -135,7 +135,7 @@ int run_program(int argc, char** argv, const std::string& version) {
   }
 }
 
-// Each is defined in the file of its name: add_bench_command in bench_command.cpp.
+// Each is defined in the file of its name: add_bench_command in bench_command.cpp, which may be in a folder.
 using AddCommand = void(const command_line::Command& command, const Program& program, Action& action);
 AddCommand add_run_command, add_serve_command, add_report_command, add_compare_command;
 AddCommand add_doctor_command, add_list_command, add_effects_command;

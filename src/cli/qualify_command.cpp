@@ -3,7 +3,7 @@
 #include "base/terminal.h"
 #include "cli/options.h"
 #include "cli/program.h"
-#include "cli/run_options.h"
+#include "cli/run/run_options.h"
 #include "cli/show_runs.h"
 #include "registry/image_size.h"
 #include "results/run_folder.h"

@@ -2,7 +2,7 @@
 #include "cli/interrupt.h"
 #include "cli/options.h"
 #include "cli/program.h"
-#include "cli/run_options.h"
+#include "cli/run/run_options.h"
 #include "references/references.h"
 #include "references/store.h"
 #include "results/image_hashes.h"

@@ -2,7 +2,7 @@
 #include "base/terminal.h"
 #include "cli/options.h"
 #include "cli/program.h"
-#include "cli/run_options.h"
+#include "cli/run/run_options.h"
 #include "registry/image_size.h"
 #include "run/plan/make_plan.h"
 #include "studies/looks/looks_text.h"

@@ -1,5 +1,5 @@
 // What an interrupted study says about how to go on.
-#include "cli/resume_hint.h"
+#include "cli/run/resume_hint.h"
 
 #include <gtest/gtest.h>
 

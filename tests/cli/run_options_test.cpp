@@ -1,6 +1,6 @@
 // The options of the settings of a run: what is given replaces the configuration's defaults, and nothing else
 // does.
-#include "cli/run_options.h"
+#include "cli/run/run_options.h"
 
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "cli/recorded_times.h"
+#include "cli/run/recorded_times.h"
 
 #include "base/duration.h"
 #include "base/error.h"

@@ -1,8 +1,8 @@
-#include "cli/last_failed.h"
+#include "cli/run/last_failed.h"
 
 #include "base/error.h"
 #include "base/text.h"
-#include "cli/recorded_times.h"
+#include "cli/run/recorded_times.h"
 #include "registry/filters.h"
 #include "registry/image_size.h"
 #include "results/record.h"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "cli/recorded_times.h"
-#include "cli/time_left.h"
+#include "cli/run/recorded_times.h"
+#include "cli/run/time_left.h"
 #include "registry/run_settings.h"
 #include "results/record.h"
 #include "run/plan/plan.h"

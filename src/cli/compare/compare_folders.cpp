@@ -1,4 +1,4 @@
-#include "cli/compare_folders.h"
+#include "cli/compare/compare_folders.h"
 
 #include "base/error.h"
 #include "base/files.h"

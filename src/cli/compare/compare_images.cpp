@@ -1,4 +1,4 @@
-#include "cli/compare_images.h"
+#include "cli/compare/compare_images.h"
 
 #include "base/error.h"
 #include "image/colour.h"

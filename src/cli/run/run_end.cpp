@@ -1,4 +1,4 @@
-#include "cli/run_end.h"
+#include "cli/run/run_end.h"
 
 #include "base/terminal.h"
 #include "base/text.h"

@@ -1,4 +1,4 @@
-#include "cli/run_progress.h"
+#include "cli/run/run_progress.h"
 
 #include "base/duration.h"
 #include "base/terminal.h"

@@ -1,4 +1,4 @@
-#include "cli/resume_hint.h"
+#include "cli/run/resume_hint.h"
 
 #include "base/text.h"
 

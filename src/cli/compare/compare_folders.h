@@ -1,6 +1,6 @@
 #pragma once
 
-#include "cli/compare_images.h"
+#include "cli/compare/compare_images.h"
 
 namespace orbs::cli {
 
