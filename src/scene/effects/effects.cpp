@@ -265,11 +265,31 @@ void refuse_effect(Effect effect,
                                    material, verdict.reason, type, effect_name(effect)));
 }
 
-bool leave_out(Effect effect, Scene& scene) {
-  if (effect == Effect::Motion) {
-    scene = at_time(scene, scene.camera.shutter.open);
-    return true;
+namespace {
+
+// Those that are no part of a material's model. Without its image the environment shines everywhere as it
+// does where the image is white.
+bool leave_out_of_scene(Effect effect, Scene& scene) {
+  if (effect == Effect::Motion) scene = at_time(scene, scene.camera.shutter.open);
+  if (effect == Effect::EnvironmentMap) scene.environment.map.reset();
+  for (auto& [name, model, detail] : scene.materials) {
+    if (effect == Effect::Opacity) {
+      detail.opacity = 1;
+      detail.opacity_texture.reset();
+    }
+    if (effect == Effect::TurnedNormals) {
+      detail.normal_map.reset();
+      detail.bump_map.reset();
+    }
   }
+  return effect == Effect::Motion || effect == Effect::EnvironmentMap || effect == Effect::Opacity ||
+         effect == Effect::TurnedNormals;
+}
+
+}  // namespace
+
+bool leave_out(Effect effect, Scene& scene) {
+  if (leave_out_of_scene(effect, scene)) return true;
   if (effect != Effect::Dispersion && effect != Effect::MeasuredMetal && effect != Effect::ThinFilm)
     return false;
   for (auto& material : scene.materials)

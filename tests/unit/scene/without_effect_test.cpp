@@ -9,9 +9,11 @@ namespace {
 using namespace orbs;
 using scene::Effect;
 
-scene::Scene appearance_scene(const char* name) {
-  return scene::load_scene(std::string(ORBS_SOURCE_DIR "/data/cases/appearance/") + name + ".json");
+scene::Scene case_scene(const std::string& name) {
+  return scene::load_scene(ORBS_SOURCE_DIR "/data/cases/" + name + ".json");
 }
+
+scene::Scene appearance_scene(const char* name) { return case_scene(std::string("appearance/") + name); }
 
 bool still_calls_for(const scene::Scene& scene, Effect effect) {
   return scene::calls_for(scene::effects(scene), effect);
@@ -46,11 +48,14 @@ TEST(WithoutEffect, AMaterialThatHasNoFormWithoutItIsRefusedByName) {
 
 TEST(WithoutEffect, ASceneThatHasLostItCallsForItNoMore) {
   const std::vector<std::pair<const char*, Effect>> scenes{
-      {"e6_dispersion/prism_SF10", Effect::Dispersion},
-      {"e1_ggx_reflectance/ggx_copper_50", Effect::MeasuredMetal},
-      {"e5_iridescence/iridescent_spheres_height", Effect::ThinFilm}};
+      {"appearance/e6_dispersion/prism_SF10", Effect::Dispersion},
+      {"appearance/e1_ggx_reflectance/ggx_copper_50", Effect::MeasuredMetal},
+      {"appearance/e5_iridescence/iridescent_spheres_height", Effect::ThinFilm},
+      {"everyday/n3_opacity/n3-mask", Effect::Opacity},
+      {"everyday/n1_normal_map/n1-right", Effect::TurnedNormals},
+      {"everyday/d5_environment_map/d5-studio", Effect::EnvironmentMap}};
   for (const auto& [name, effect] : scenes) {
-    auto scene = appearance_scene(name);
+    auto scene = case_scene(name);
     ASSERT_TRUE(still_calls_for(scene, effect)) << name;
     EXPECT_TRUE(scene::leave_out(effect, scene)) << name;
     EXPECT_FALSE(still_calls_for(scene, effect)) << name;
