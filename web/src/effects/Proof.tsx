@@ -22,7 +22,7 @@ export function Proof({ scenes }: { scenes: SceneEffects[] }) {
           <code>Structure.UnusedAssetsCostNoInstructions</code> counts them again.
         </li>
         <li>
-          Each transport has a path loop of its own. The test{" "}
+          Each transport has its own path loop. The test{" "}
           <code>Structure.PathLoopsHoldOnlyWhatScenesCallFor</code> reads the symbols of each loop
           and finds none of the effects that it does not carry.
         </li>
