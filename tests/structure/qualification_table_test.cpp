@@ -78,7 +78,7 @@ TEST(QualificationTable, ThePageShowsTheCommittedFiles) {
       "| gates | control images accepted | mutants rejected | light: remark from | light: failure from | leak: failure "
       "from |\n|---|---|---|---|---|---|\n";
   for (const char* suite :
-       {"orbs", "appearance", "shapes", "motion", "integrators", "known", "gi", "stability"}) {
+       {"orbs", "appearance", "everyday", "shapes", "motion", "integrators", "known", "gi", "stability"}) {
     const std::string rows = rows_of(root, suite, "1") + rows_of(root, suite, "1/4");
     EXPECT_NE(rows, "") << suite << " is not qualified: orbs run -r orbs --suite " << suite
                         << ", orbs qualify --suite " << suite;
