@@ -125,7 +125,7 @@ TEST(TextureCases, BumpMaps) {
         if (instance.name == name) instance.remap = {{0, static_cast<int>(scene.materials.size()) - 1}};
     };
   };
-  expect_the_case_and_no_mistake(
+  expect_mistakes_to_fail(
       "n2_bump_map",
       {{"heights inverted", all, heights(-1)},
        {"no heights", all, [](scene::Scene& scene) { scene.materials[0].detail = {}; }},
