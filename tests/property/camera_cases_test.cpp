@@ -79,6 +79,19 @@ TEST_F(CameraCases, KnownImagesAreShownAndOtherCamerasFail) {
   EXPECT_GE(seen, 15);
 }
 
+TEST_F(CameraCases, AFocusThatIsATwentiethOffIsSeen) {
+  for (const auto& one_case : registry::load_cases(suite_))
+    for (const auto& one : one_case.scenes) {
+      if (one.name != "c1-focus") continue;
+      const auto scene = scene::load_scene(one.file, {}, one.camera);
+      for (const double factor : {0.95, 1.05}) {
+        auto changed = scene;
+        changed.camera.focus_distance_m = factor * scene.camera.focus_distance_m.value();
+        EXPECT_EQ(verdict(one_case, one.name, changed), results::Verdict::Fail) << factor;
+      }
+    }
+}
+
 // The image of a shifted window is a part of that of a larger one: with the same pixels and the same random
 // numbers, which belong to the pixel, only the noise differs, and there is none in what glows evenly.
 TEST(ShiftedCamera, ShowsAPartOfALargerImage) {
