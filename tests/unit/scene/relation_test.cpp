@@ -108,6 +108,15 @@ TEST(Relations, AMirroredCameraSeesLeftAndRightExchanged) {
   EXPECT_NEAR(after.y, before.y, 1e-12);
 }
 
+// The window of a shifted lens lies on the camera's right, and a grain turns counter-clockwise.
+TEST(Relations, AMirrorTurnsShiftAndGrainAround) {
+  const auto mirrored = scene::moved(tests::terrace(), scaling({-1, 1, 1}));
+  EXPECT_EQ(mirrored.camera.shift, (Vec2d{-0.125, -0.0625}));
+  EXPECT_EQ(std::get<scene::AnisotropicGgx>(mirrored.materials[2].model).rotation_deg, -30);
+  const auto turned = scene::moved(tests::terrace(), rotation_y(30));
+  EXPECT_EQ(std::get<scene::AnisotropicGgx>(turned.materials[2].model).rotation_deg, 30);
+}
+
 TEST(Relations, MovedVerticesLieWhereTheyShould) {
   const auto near = scene::with_moved_vertices(block_on_ground(), {});
   const Vec3d offset{6e6, 4.8e6, 6.4e6};
