@@ -155,8 +155,8 @@ def checked_material(material):
 
 def checked_use(given, place):
     use = {"name": given} if isinstance(given, str) else given
-    checked(use, place, ["name"], ["matrix"])
-    return {"matrix": IDENTITY, **use}
+    checked(use, place, ["name"], ["matrix", "uv_set"])
+    return {"matrix": IDENTITY, "uv_set": 0, **use}
 
 
 def checked_environment(environment):

@@ -118,13 +118,16 @@ def float_image(name, width, height, texels):
     return image
 
 
+UV_LAYERS = ("uv", "uv1")  # by the set of texture coordinates
+
+
 def sampled_texture(shader, use, textures):
-    """Colour socket of a texture use {name, matrix}. Blender wraps both axes alike and mirrors none, so a mirrored axis
+    """Colour socket of a texture use {name, matrix, uv_set}. Blender wraps both axes alike and mirrors none, so a mirrored axis
     is folded to [0, 1] by nodes; it, and a single clamped axis, is clamped to its outermost texel centres, beyond which
     the edge texels stand alone: the same thing."""
     image, wraps = textures[use["name"]].image, textures[use["name"]].wraps
     m = use["matrix"]
-    uv = shader.node("ShaderNodeUVMap", uv_map="uv").outputs["UV"]
+    uv = shader.node("ShaderNodeUVMap", uv_map=UV_LAYERS[use["uv_set"]]).outputs["UV"]
     coordinates = [shader.affine(uv, (m[0], m[1], 0.0), m[3]), shader.affine(uv, (m[4], m[5], 0.0), m[7])]
     for axis, wrap in enumerate(wraps):
         if wrap == "mirror":
@@ -311,7 +314,7 @@ def detail_normal(shader, m, around):
         texel = sampled_texture(shader, m["normal_map"]["texture"], around.textures)
         offset = (0.5 - 0.5 * strength, 0.5 - 0.5 * strength, 0.0)
         stretched = shader.vector("ADD", shader.vector("MULTIPLY", texel, (strength, strength, 1.0)), offset)
-        node = shader.node("ShaderNodeNormalMap", {"Color": stretched}, space="TANGENT", uv_map="uv")
+        node = shader.node("ShaderNodeNormalMap", {"Color": stretched}, space="TANGENT", uv_map=UV_LAYERS[m["normal_map"]["texture"]["uv_set"]])
         return node.outputs["Normal"]
     if "bump_map" in m:
         texel = sampled_texture(shader, m["bump_map"]["texture"], around.textures)

@@ -20,6 +20,7 @@ DEGENERATE_HEIGHT = 1e-7
 FLAT_NORMAL = 1e-6
 
 VERTEX_PROPERTIES = [f"property float {name}" for name in "x y z nx ny nz tx ty tz u v".split()]
+SECOND_UVS = ["property float u2", "property float v2"]  # of the meshes that have them
 FACE_PROPERTIES = ["property list uchar uint vertex_indices", "property int material"]
 
 
@@ -28,6 +29,7 @@ class Triangles:
     positions: array  # flat xyz
     normals: array
     uvs: array
+    second_uvs: array = None
     corners: list = field(default_factory=list)  # (a, b, c)
     materials: list = field(default_factory=list)
     smooth: list = field(default_factory=list)
@@ -41,16 +43,18 @@ def read_ply(path):
     words = [line.split() for line in lines if line.startswith("element")]
     properties = [line for line in lines if line.startswith("property")]
     if end < 0 or lines[:2] != ["ply", "format binary_little_endian 1.0"] or [w[1] for w in words] != ["vertex", "face"] \
-            or properties != VERTEX_PROPERTIES + FACE_PROPERTIES:  # fmt: skip
+            or properties not in (VERTEX_PROPERTIES + FACE_PROPERTIES, VERTEX_PROPERTIES + SECOND_UVS + FACE_PROPERTIES):  # fmt: skip
         raise ValueError(f"{path}: not a PLY file as lowering writes it (binary, position, normal, tangent, uv; material)")
     n_vertices, n_faces = int(words[0][2]), int(words[1][2])
     start = end + len("end_header\n")
-    vertex_bytes, face = 11 * 4 * n_vertices, struct.Struct("<B3Ii")
+    width = len(properties) - len(FACE_PROPERTIES)
+    vertex_bytes, face = width * 4 * n_vertices, struct.Struct("<B3Ii")
     if len(data) != start + vertex_bytes + n_faces * face.size:
         raise ValueError(f"{path}: the file's length does not fit its header")
     columns = array("f")
     columns.frombytes(data[start : start + vertex_bytes])
-    mesh = Triangles(interleaved(columns, 0, 3), interleaved(columns, 3, 3), interleaved(columns, 9, 2))
+    parts = [interleaved(columns, width, *place) for place in ((0, 3), (3, 3), (9, 2))]
+    mesh = Triangles(*parts, interleaved(columns, width, 11, 2) if width > 11 else None)
     for count, a, b, c, material in face.iter_unpack(data[start + vertex_bytes :]):
         if count != 3 or max(a, b, c) >= n_vertices:
             raise ValueError(f"{path}: faces must be triangles of existing vertices")
@@ -58,11 +62,11 @@ def read_ply(path):
     return mesh
 
 
-def interleaved(columns, first, width):
-    """Returns `width` neighbouring columns of the 11-column vertex table as one flat array."""
-    out = array("f", bytes(4 * width * (len(columns) // 11)))
+def interleaved(columns, row, first, width):
+    """Returns `width` neighbouring columns of the vertex table, whose rows are `row` long, as one flat array."""
+    out = array("f", bytes(4 * width * (len(columns) // row)))
     for offset in range(width):
-        out[offset::width] = columns[first + offset :: 11]
+        out[offset::width] = columns[first + offset :: row]
     return out
 
 
@@ -100,9 +104,10 @@ def make_mesh(name, triangles, materials):
     mesh.polygons.foreach_set("loop_total", array("i", [3]) * count)
     mesh.polygons.foreach_set("material_index", array("i", triangles.materials))
     mesh.polygons.foreach_set("use_smooth", array("b", triangles.smooth))
-    layer = mesh.uv_layers.new(name="uv")
-    uvs = triangles.uvs
-    layer.data.foreach_set("uv", array("f", (uvs[2 * i + k] for i in corners for k in (0, 1))))
+    for layer_name, uvs in (("uv", triangles.uvs), ("uv1", triangles.second_uvs)):
+        if uvs is not None:
+            layer = mesh.uv_layers.new(name=layer_name)
+            layer.data.foreach_set("uv", array("f", (uvs[2 * i + k] for i in corners for k in (0, 1))))
     for material in materials:
         mesh.materials.append(material)
     mesh.update(calc_edges=True)

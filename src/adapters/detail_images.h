@@ -20,6 +20,9 @@ enum class MirrorImages { None, Beside };
 /// number. Heights are grey, in metres of the world.
 std::string opacity_image_name(int material, const std::string& stem);
 std::string height_image_name(int material, const std::string& stem);
+/// Normals by 2 c - 1 in red, green and blue, the strength applied; mirrored ones with the other sign of
+/// green.
+std::string normal_image_name(int material, const std::string& stem, bool is_mirrored);
 
 /// Writes those that the material calls for. InputError when a file cannot be read or written.
 void write_detail_images(const scene::Scene& scene,

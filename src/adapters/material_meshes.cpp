@@ -1,5 +1,6 @@
 #include "adapters/material_meshes.h"
 
+#include "adapters/uv_frames.h"
 #include "base/nth.h"
 #include "scene/lower/geometry.h"
 #include "scene/lower/lower.h"
@@ -9,7 +10,10 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace orbs::adapters {
 
@@ -92,6 +96,27 @@ void drop_triangles_without_area(scene::Mesh& mesh) {
 
 }  // namespace
 
+namespace {
+
+// The parts of a blend included. What turns with the coordinates u and v turns with the first ones.
+std::set<int> uv_sets(const scene::Scene& scene, int index) {
+  const scene::Material& material = material_at(scene, index);
+  std::set<int> sets;
+  for (const scene::TextureUse& use : texture_uses(material)) sets.insert(use.uv_set);
+  if (std::holds_alternative<scene::AnisotropicGgx>(material.model)) sets.insert(0);
+  if (const auto* blend = std::get_if<scene::Blend>(&material.model))
+    for (const auto& part : blend->parts) sets.merge(uv_sets(scene, part.material));
+  return sets;
+}
+
+}  // namespace
+
+std::string uv_set_limit(const scene::Scene& scene, int material, const char* renderer) {
+  if (uv_sets(scene, material).size() < 2) return "";
+  return fmt::format("material '{}' looks textures up at both sets of texture coordinates: {} has one",
+                     material_at(scene, material).name, renderer);
+}
+
 std::vector<MaterialMesh> material_meshes(const scene::Scene& scene) {
   scene::Scene split = scene;
   scene::bake_texture_matrices(split);
@@ -102,11 +127,51 @@ std::vector<MaterialMesh> material_meshes(const scene::Scene& scene) {
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     meshes[i].mesh = std::move(split.meshes[i]);
     if (!meshes[i].mesh.triangle_materials.empty()) meshes[i].material = meshes[i].mesh.triangle_materials[0];
-    drop_triangles_without_area(meshes[i].mesh);
+    scene::Mesh& mesh = meshes[i].mesh;
+    if (uv_sets(scene, meshes[i].material) == std::set{1}) mesh.uvs = mesh.second_uvs;
+    mesh.second_uvs.clear();
+    drop_triangles_without_area(mesh);
   }
   std::erase_if(meshes,
                 [](const MaterialMesh& one) { return one.places.empty() || one.mesh.triangles.empty(); });
   return meshes;
+}
+
+namespace {
+
+scene::Mesh with_triangles(const scene::Mesh& mesh, bool is_mirrored) {
+  scene::Mesh part = mesh;
+  part.triangles.clear();
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto frame = uv_frame(mesh, i);
+    if ((frame && adapters::is_mirrored(*frame)) == is_mirrored) part.triangles.push_back(mesh.triangles[i]);
+  }
+  part.triangle_materials.resize(part.triangles.size());
+  return part;
+}
+
+}  // namespace
+
+std::vector<MaterialMesh> split_by_frames(const scene::Scene& scene,
+                                          const std::vector<MaterialMesh>& meshes) {
+  std::vector<MaterialMesh> out;
+  for (const MaterialMesh& given : meshes) {
+    if (!material_at(scene, given.material).detail.normal_map) {
+      out.push_back(given);
+      continue;
+    }
+    for (const bool by_uvs : {false, true}) {
+      const scene::Mesh mesh = with_triangles(given.mesh, by_uvs);
+      if (mesh.triangles.empty()) continue;
+      for (const bool by_matrix : {false, true}) {
+        MaterialMesh part{mesh, given.material, {}, by_uvs != by_matrix};
+        for (const Mat4& place : given.places)
+          if ((determinant3(place) < 0) == by_matrix) part.places.push_back(place);
+        if (!part.places.empty()) out.push_back(std::move(part));
+      }
+    }
+  }
+  return out;
 }
 
 }  // namespace orbs::adapters

@@ -2,6 +2,7 @@
 
 #include "scene/scene.h"
 
+#include <string>
 #include <vector>
 
 namespace orbs::adapters {
@@ -25,11 +26,21 @@ struct MaterialMesh {
   scene::Mesh mesh;  // triangles that have area
   int material = 0;
   std::vector<Mat4> places;  // at least one
+  /// Where they have normal maps and are split by their frames: v grows to the other side than normal x u.
+  bool is_mirrored = false;
 };
 
 /// The visible surfaces of a scene for renderers that give one material to a whole mesh and apply no texture
 /// matrices: remap lists are resolved, and texture matrices are applied to the coordinates. Instances with
-/// the same mesh and materials share a MaterialMesh.
+/// the same mesh and materials share a MaterialMesh. The texture coordinates are those that the textures of
+/// the material are looked up at (uv_set_limit); there are no second ones.
 std::vector<MaterialMesh> material_meshes(const scene::Scene& scene);
+
+/// Those with a normal map split, so that in each of them v grows to one side, of which `is_mirrored` tells:
+/// for renderers that take normal x u for the direction of v.
+std::vector<MaterialMesh> split_by_frames(const scene::Scene& scene, const std::vector<MaterialMesh>& meshes);
+
+/// Why a renderer with one set of texture coordinates cannot draw the material; "" when it can.
+std::string uv_set_limit(const scene::Scene& scene, int material, const char* renderer);
 
 }  // namespace orbs::adapters

@@ -8,7 +8,8 @@ namespace orbs::scene {
 TextureUse load_texture_use(json::ObjectReader& in, const std::string& key, const Names& textures) {
   if (in.holds_text(key)) return {textures.find(in, key), Mat4{}};
   auto use = in.object(key);
-  TextureUse result{textures.find(use, "name"), load_matrix(use, "matrix")};
+  TextureUse result{textures.find(use, "name"), load_matrix(use, "matrix"),
+                    use.integer_or("uv_set", 0, 0, 1)};
   use.finish();
   return result;
 }
@@ -19,7 +20,9 @@ void write_texture_use(json::Writer& out,
                        const TextureUse& use) {
   out.key(key).begin_object();
   out.member("name", nth(textures, use.texture).name);
-  out.key("matrix").numbers(use.matrix.m).end_object();
+  out.key("matrix").numbers(use.matrix.m);
+  if (use.uv_set != 0) out.member("uv_set", use.uv_set);
+  out.end_object();
 }
 
 namespace {

@@ -42,7 +42,8 @@ inline bool lets_rays_pass(const SurfaceDetail& detail) {
 
 inline bool turns_normals(const SurfaceDetail& detail) { return detail.normal_map || detail.bump_map; }
 
-/// A texture as a material names it: its name, or an object with "name" and "matrix".
+/// A texture as a material names it: its name, or an object with "name", "matrix" and
+/// "uv_set".
 TextureUse load_texture_use(json::ObjectReader& in, const std::string& key, const Names& textures);
 void write_texture_use(json::Writer& out,
                        const std::vector<Texture>& textures,

@@ -36,6 +36,7 @@ struct Texture {
 struct TextureUse {
   int texture = 0;  // index into Scene::textures
   Mat4 matrix;
+  int uv_set = 0;  // 1: the second texture coordinates of the mesh
   bool operator==(const TextureUse&) const = default;
 };
 

@@ -144,6 +144,39 @@ TEST(TextureCases, BumpMaps) {
         }}});
 }
 
+namespace {
+
+// Of all textures of the scene.
+void for_each_use(scene::Scene& scene, const std::function<void(scene::TextureUse&)>& change) {
+  for (auto& material : scene.materials) {
+    std::visit(
+        [&](auto& model) {
+          if constexpr (requires { model.texture; })
+            if (model.texture) change(*model.texture);
+        },
+        material.model);
+    if (material.detail.normal_map) change(material.detail.normal_map->texture);
+  }
+}
+
+}  // namespace
+
+TEST(TextureCases, SecondCoordinates) {
+  const std::set<std::string> all{"n6-second", "n6-both", "n6-glow", "n6-normals"};
+  const auto sets = [](const std::function<int(int)>& change) {
+    return [=](scene::Scene& scene) {
+      for_each_use(scene, [&](scene::TextureUse& use) { use.uv_set = change(use.uv_set); });
+    };
+  };
+  expect_the_case_and_no_mistake("n6_second_coordinates",
+                                 {{"the first coordinates alone", all, sets([](int) { return 0; })},
+                                  {"the second coordinates alone", {"n6-both"}, sets([](int) { return 1; })},
+                                  {"the sets swapped", all, sets([](int set) { return 1 - set; })},
+                                  {"no texture matrix", {"n6-glow"}, [](scene::Scene& scene) {
+                                     for_each_use(scene, [](scene::TextureUse& use) { use.matrix = {}; });
+                                   }}});
+}
+
 TEST(TextureCases, NormalMaps) {
   const auto strength = [](double factor) {
     return [factor](scene::Scene& scene) { scene.materials[0].detail.normal_map->strength *= factor; };

@@ -105,6 +105,7 @@ const BeyondOrbs& beyond_orbs() {
        {"E6", "glTF's dispersion is one number of Abbe for three colours (KHR_materials_dispersion)"},
        {"N2", "glTF has normal maps and no heights"},
        {"N3", "the alpha of glTF blends or cuts what is drawn; the specification says nothing of shadows"},
+       {"N6", "the exporter writes one texture for each material, at the first coordinates"},
        {"S7", "a plug-in is machine code for the built-in tracer"},
        {"T1", "glTF's animations turn by angles, and it has no shutter"},
        {"T2", "glTF has morph targets and no shutter"},

@@ -119,6 +119,7 @@ const BeyondOrbs& beyond_orbs() {
        {"N2", "HydraCore3 has normal maps and no heights"},
        {"N3", "HydraCore3 has no surfaces that let a share of the rays pass"},
        {"N5", "HydraCore3's nearest texel is the same one everywhere"},
+       {"N6", "HydraCore3's meshes have one set of texture coordinates"},
        {"S7", "a plug-in is machine code for the built-in tracer"},
        {"T1", "the exporter writes HydraCore3's instances at rest"},
        {"T2", "HydraCore3 has no meshes that change their shape"},

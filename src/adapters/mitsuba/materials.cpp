@@ -253,8 +253,8 @@ struct BsdfWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"B2", "B3", "B4", "B5", "B6", "B9", "C1", "C2", "C3", "D1", "D2",
-       "D3", "D5", "D6", "E1", "E2", "E3", "N2", "N3", "N4", "N5", "V1"},
+      {"B2", "B3", "B4", "B5", "B6", "B9", "C1", "C2", "C3", "D1", "D2", "D3",
+       "D5", "D6", "E1", "E2", "E3", "N1", "N2", "N3", "N4", "N5", "N6", "V1"},
       {{"B1", "Mitsuba's rough metals follow n and k and are masked by the separable term"},
        {"B7", "Mitsuba's principled BSDF is another model"},
        {"B8", "Mitsuba 3 has no Phong reflection"},
@@ -274,11 +274,11 @@ namespace {
 
 // By default Mitsuba turns normals that face away from the viewer, and darkens surfaces by a term for
 // shadows. What has two sides stands inside: from behind, the bumps are dents then, and no mirror images.
-std::string raised(const std::string& id, const std::string& heights, const std::string& even) {
+std::string turned(const char* type, const std::string& id, const std::string& map, const std::string& even) {
   return fmt::format(
-      "<bsdf type=\"bumpmap\" id=\"{}\"><boolean name=\"flip_invalid_normals\" value=\"false\"/><boolean "
+      "<bsdf type=\"{}\" id=\"{}\"><boolean name=\"flip_invalid_normals\" value=\"false\"/><boolean "
       "name=\"use_shadowing_function\" value=\"false\"/>{}\n{}</bsdf>\n",
-      id, heights, even);
+      type, id, map, even);
 }
 
 }  // namespace
@@ -288,24 +288,31 @@ std::string material_limit(const scene::Material& material, bool is_polarised) {
                                        MaterialLimits{material.name, is_polarised});
 }
 
-std::string bsdf_text(const Colours& colours, int material, const std::string& stem) {
+std::string bsdf_id(int material, bool is_mirrored) {
+  return fmt::format("material{}{}", material, is_mirrored ? "-mirrored" : "");
+}
+
+std::string bsdf_text(const Colours& colours, int material, const std::string& stem, bool is_mirrored) {
   const auto& m = material_at(colours.scene, material);
-  const std::string name = fmt::format("material{}", material);
+  const std::string name = bsdf_id(material, is_mirrored);
   const bool is_open = lets_rays_pass(m.detail);
   const std::string whole_id = is_open ? name + "-whole" : name;
-  const std::string even_id = m.detail.bump_map ? name + "-even" : whole_id;
+  const std::string even_id = turns_normals(m.detail) ? name + "-even" : whole_id;
   const std::string image = tinted_image_name(material, stem);
   auto whole = text_of_material(m, kName, BsdfWriter{colours, even_id, image});
-  if (m.detail.bump_map)
-    whole = raised(whole_id,
-                   bitmap("heights", height_image_name(material, stem),
-                          texture_at(colours.scene, m.detail.bump_map->texture), kRaw),
+  const auto map_of = [&](const char* parameter, const std::string& file, const scene::TextureUse& use) {
+    return bitmap(parameter, file, texture_at(colours.scene, use), kRaw);
+  };
+  if (const auto& map = m.detail.bump_map)
+    whole = turned("bumpmap", whole_id, map_of("heights", height_image_name(material, stem), map->texture),
                    whole);
+  if (const auto& map = m.detail.normal_map)
+    whole = turned("normalmap", whole_id,
+                   map_of("normalmap", normal_image_name(material, stem, is_mirrored), map->texture), whole);
   if (!is_open) return xml_comment(m.name) + whole;
   const auto& use = m.detail.opacity_texture;
-  const auto opacity =
-      use ? bitmap("opacity", opacity_image_name(material, stem), texture_at(colours.scene, *use), kRaw)
-          : fmt::format("<float name=\"opacity\" value=\"{}\"/>", m.detail.opacity);
+  const auto opacity = use ? map_of("opacity", opacity_image_name(material, stem), *use)
+                           : fmt::format("<float name=\"opacity\" value=\"{}\"/>", m.detail.opacity);
   return xml_comment(m.name) +
          fmt::format("<bsdf type=\"mask\" id=\"{}\">{}\n{}</bsdf>\n", name, opacity, whole);
 }

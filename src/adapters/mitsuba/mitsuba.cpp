@@ -200,7 +200,7 @@ class Writer {
         colours_(scene),
         folder_(file.parent_path()),
         stem_(file.stem().string()),
-        meshes_(material_meshes(scene)) {}
+        meshes_(split_by_frames(scene, material_meshes(scene))) {}
 
   std::string write() {
     std::string text = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<scene version=\"3.0.0\">\n";
@@ -229,16 +229,22 @@ class Writer {
     if (scene::texture_of(material_at(scene_, index).model))
       write_tinted(scene_, index, folder_ / tinted_image_name(index, stem_));
     write_detail_images(scene_, index, folder_ / (stem_ + ".xml"), MirrorImages::None);
-    return mitsuba::bsdf_text(colours_, index, stem_);
+    std::string text = mitsuba::bsdf_text(colours_, index, stem_, false);
+    const bool is_mirrored = std::any_of(meshes_.begin(), meshes_.end(), [&](const MaterialMesh& shown) {
+      return shown.material == index && shown.is_mirrored;
+    });
+    if (is_mirrored) text += mitsuba::bsdf_text(colours_, index, stem_, true);
+    return text;
   }
 
   std::string mesh_text(const MaterialMesh& shown, std::size_t index) {
     const auto& model = material_at(scene_, shown.material).model;
+    const auto bsdf = mitsuba::bsdf_id(shown.material, shown.is_mirrored);
     std::string text = xml_comment(shown.mesh.name);
     if (const auto* emission = std::get_if<scene::Emission>(&model)) {
       for (std::size_t i = 0; i < shown.places.size(); ++i)
         text += shape(mitsuba::emitting_mesh(scene_, shown.mesh, shown.places[i]),
-                      fmt::format("mesh{}.{}", index, i), shown.material,
+                      fmt::format("mesh{}.{}", index, i), bsdf,
                       "<boolean name=\"face_normals\" value=\"true\"/>" +
                           mitsuba::area_emitter(colours_, emission->radiance, emission->spectrum) +
                           to_world(shown.places[i]));
@@ -247,7 +253,7 @@ class Writer {
     if (const auto* polariser = std::get_if<scene::Polariser>(&model)) {
       for (std::size_t i = 0; i < shown.places.size(); ++i)
         text += shape(mitsuba::polariser_mesh(polariser->axis, shown.mesh, shown.places[i]),
-                      fmt::format("mesh{}.{}", index, i), shown.material, "");
+                      fmt::format("mesh{}.{}", index, i), bsdf, "");
       return text;
     }
     const std::string name = fmt::format("mesh{}", index);
@@ -256,9 +262,9 @@ class Writer {
     const bool is_turned_over =
         turns_normals(material_at(scene_, shown.material).detail) && determinant3(shown.places.front()) < 0;
     if (shown.places.size() == 1 && !is_turned_over)
-      return text + shape(flipped_v(shown.mesh), name, shown.material, to_world(shown.places[0]));
+      return text + shape(flipped_v(shown.mesh), name, bsdf, to_world(shown.places[0]));
     text += fmt::format("<shape type=\"shapegroup\" id=\"{}\">\n{}</shape>\n", name,
-                        shape(flipped_v(shown.mesh), name, shown.material, ""));
+                        shape(flipped_v(shown.mesh), name, bsdf, ""));
     for (const Mat4& place : shown.places)
       text += fmt::format("<shape type=\"instance\"><ref id=\"{}\"/>{}</shape>\n", name, to_world(place));
     return text;
@@ -266,13 +272,13 @@ class Writer {
 
   std::string shape(const scene::Mesh& mesh,
                     const std::string& name,
-                    int material,
+                    const std::string& bsdf,
                     const std::string& more) const {
     const std::string ply = fmt::format("{}-{}.ply", stem_, name);
     scene::write_ply(mesh, folder_ / ply, scene::PlyContent::Common);
     return fmt::format(
-        "<shape type=\"ply\"><string name=\"filename\" value=\"{}\"/><ref id=\"material{}\"/>{}</shape>\n",
-        ply, material, more);
+        "<shape type=\"ply\"><string name=\"filename\" value=\"{}\"/><ref id=\"{}\"/>{}</shape>\n", ply, bsdf,
+        more);
   }
 
   const scene::Scene& scene_;
@@ -377,6 +383,7 @@ std::vector<std::string> mitsuba_limits(const scene::Scene& scene) {
     const scene::Material& material = material_at(scene, index);
     note(mitsuba::material_limit(material, transport == scene::LightTransport::Polarised));
     note(scene::texture_matrices_problem(material));
+    note(uv_set_limit(scene, index, kName));
     for (const scene::TextureUse& use : scene::texture_uses(material)) textures.insert(use.texture);
   }
   for (const int index : textures) {

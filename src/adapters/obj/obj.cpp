@@ -1,6 +1,7 @@
 #include "adapters/obj/obj.h"
 
 #include "adapters/format_limits.h"
+#include "adapters/material_meshes.h"
 #include "adapters/obj/description.h"
 #include "adapters/obj/mtl.h"
 #include "adapters/obj/world_parts.h"
@@ -65,11 +66,12 @@ void write_ply_parts(const scene::Scene& scene, const std::filesystem::path& fil
 std::vector<std::string> obj_limits(const scene::Scene& scene) {
   std::vector<std::string> reasons = beyond_orbs_limits(
       scene, "files of meshes",
-      {{"C1", "C2", "C3", "C4", "D1", "D2", "D3", "D4", "D5", "D6", "N1", "N2", "N3", "N4", "N5"},
+      {{"C1", "C2", "C3", "C4", "D1", "D2", "D3", "D4", "D5", "D6", "N1", "N2", "N3", "N4", "N5", "N6"},
        {{"V1", "files of meshes say nothing of layers"}}});
   for (const int index : scene::visible_materials(scene))
-    if (auto reason = obj::material_limit(material_at(scene, index)); !reason.empty())
-      reasons.push_back(std::move(reason));
+    for (auto& reason : {obj::material_limit(material_at(scene, index)),
+                         uv_set_limit(scene, index, "a mesh in these files")})
+      if (!reason.empty()) reasons.push_back(reason);
   return reasons;
 }
 

@@ -237,8 +237,8 @@ struct MaterialWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"B2", "B3", "B4", "B6", "B9", "C1", "C2", "C3", "C4", "D1",
-       "D2", "D3", "D4", "E1", "E2", "E6", "N2", "N3", "N4", "N5"},
+      {"B2", "B3", "B4", "B6", "B9", "C1", "C2", "C3", "C4", "D1", "D2",
+       "D3", "D4", "E1", "E2", "E6", "N1", "N2", "N3", "N4", "N5", "N6"},
       {{"B1", "pbrt's metals follow n and k, not Schlick's formula"},
        {"B5", "pbrt's rough coat is walked through at random and has another dependence on the angle"},
        {"B7", "pbrt has no material of metallic and roughness"},
@@ -268,12 +268,14 @@ std::string alpha_text(const scene::Material& material, int index) {
   return detail.opacity < 1 ? fmt::format(" \"float alpha\" {}", detail.opacity) : "";
 }
 
-std::string material_text(const Colours& colours, int material, const std::string& stem) {
+std::string material_name(int material, bool is_mirrored) {
+  return fmt::format("material{}{}", material, is_mirrored ? "-mirrored" : "");
+}
+
+std::string material_text(const Colours& colours, int material, const std::string& stem, bool is_mirrored) {
   const auto& m = material_at(colours.scene, material);
-  const std::string name = fmt::format("material{}", material);
-  const auto& use = m.detail.opacity_texture;
   std::string text = fmt::format("# material {}\n", comment_text(m.name));
-  if (use)
+  if (const auto& use = m.detail.opacity_texture; use && !is_mirrored)
     text += image_texture(opacity_name(material), opacity_image_name(material, stem),
                           texture_at(colours.scene, *use));
   std::string detail;
@@ -282,6 +284,9 @@ std::string material_text(const Colours& colours, int material, const std::strin
                           texture_at(colours.scene, map->texture));
     detail = fmt::format(" \"texture displacement\" \"{}\"", heights_name(material));
   }
+  if (m.detail.normal_map)
+    detail = fmt::format(" \"string normalmap\" \"{}\"", normal_image_name(material, stem, is_mirrored));
+  const std::string name = material_name(material, is_mirrored);
   return text + text_of_material(m, kName, MaterialWriter{colours, name, stem, material, detail});
 }
 

@@ -16,8 +16,11 @@ std::string material_limit(const scene::Material& material);
 /// The parameter of a shape by which it lets rays pass; "" where its material is opaque.
 std::string alpha_text(const scene::Material& material, int index);
 
-/// Declares the named material "material<i>". An emissive one reflects nothing; its radiance stands with its
+/// The name of a material: "material<i>", or of that for meshes whose frames are mirrored (split_by_frames).
+std::string material_name(int material, bool is_mirrored);
+
+/// Declares the material of that name. An emissive one reflects nothing; its radiance stands with its
 /// shapes. InputError when material_limit or beyond_orbs refuse its type.
-std::string material_text(const Colours& colours, int material, const std::string& stem);
+std::string material_text(const Colours& colours, int material, const std::string& stem, bool is_mirrored);
 
 }  // namespace orbs::adapters::pbrt

@@ -135,7 +135,7 @@ class Writer {
       : scene_(scene), colours_(scene), folder_(file.parent_path()), stem_(file.stem().string()) {}
 
   std::string write() {
-    const auto meshes = material_meshes(scene_);
+    const auto meshes = split_by_frames(scene_, material_meshes(scene_));
     std::string text = frame_text(scene_, meshes) + head_text(scene_, colours_.is_spectral);
     if (scene_.environment.radiance != scene::RgbColour{})
       text += fmt::format("LightSource \"infinite\" {}\n",
@@ -144,7 +144,11 @@ class Writer {
       if (scene::texture_of(material_at(scene_, index).model))
         write_tinted_channels(scene_, index, folder_, stem_);
       write_detail_images(scene_, index, folder_ / (stem_ + ".pbrt"), MirrorImages::Beside);
-      text += pbrt::material_text(colours_, index, stem_);
+      text += pbrt::material_text(colours_, index, stem_, false);
+      const bool is_mirrored = std::any_of(meshes.begin(), meshes.end(), [&](const MaterialMesh& shown) {
+        return shown.material == index && shown.is_mirrored;
+      });
+      if (is_mirrored) text += pbrt::material_text(colours_, index, stem_, true);
     }
     for (std::size_t i = 0; i < meshes.size(); ++i) text += mesh_text(meshes[i], i);
     for (std::size_t i = 0; i < scene_.lights.size(); ++i) text += light_text(scene_.lights[i], i);
@@ -165,9 +169,10 @@ class Writer {
     const std::string name = fmt::format("mesh{}", index);
     const std::string ply = fmt::format("{}-{}.ply", stem_, name);
     scene::write_ply(shown.mesh, folder_ / ply, scene::PlyContent::Common);
-    const std::string shape = fmt::format(
-        "  NamedMaterial \"material{}\"\n  Shape \"plymesh\" \"string filename\" \"{}\"{}\n", shown.material,
-        ply, pbrt::alpha_text(material_at(scene_, shown.material), shown.material));
+    const std::string shape =
+        fmt::format("  NamedMaterial \"{}\"\n  Shape \"plymesh\" \"string filename\" \"{}\"{}\n",
+                    pbrt::material_name(shown.material, shown.is_mirrored), ply,
+                    pbrt::alpha_text(material_at(scene_, shown.material), shown.material));
     const auto& model = material_at(scene_, shown.material).model;
     const auto* emission = std::get_if<scene::Emission>(&model);
     std::string text = fmt::format("# mesh {}\n", comment_text(shown.mesh.name));
@@ -238,6 +243,17 @@ std::string bump_limit(const scene::Scene& scene, const MaterialMesh& shown) {
       shown.mesh.name, material.name);
 }
 
+std::string normal_limit(const scene::Scene& scene, const scene::Material& material) {
+  const auto& map = material.detail.normal_map;
+  if (!map) return "";
+  const scene::Texture& texture = texture_at(scene, map->texture);
+  if (texture.wrap_u == scene::Wrap::Repeat && texture.wrap_v == scene::Wrap::Repeat &&
+      texture.filter == scene::Filter::Linear)
+    return "";
+  return fmt::format("texture '{}' of normals does not repeat, or is not interpolated: pbrt's always are",
+                     texture.name);
+}
+
 std::string reflecting_limit(const scene::Light& light, const std::string& display_name) {
   if (light.reflectance == scene::RgbColour{}) return "";
   return display_name + " reflects where it shines: pbrt's diffuse surfaces reflect on both sides";
@@ -266,8 +282,10 @@ std::vector<std::string> pbrt_limits(const scene::Scene& scene) {
     const scene::Material& material = material_at(scene, index);
     note(pbrt::material_limit(material));
     note(scene::texture_matrices_problem(material));
+    note(uv_set_limit(scene, index, kName));
     if (std::holds_alternative<scene::Emission>(material.model)) continue;
     for (const scene::TextureUse& use : scene::texture_uses(material)) textures.insert(use.texture);
+    note(normal_limit(scene, material));
   }
   for (const int index : textures) {
     const scene::Texture& texture = nth(scene.textures, index);

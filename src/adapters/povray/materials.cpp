@@ -194,7 +194,8 @@ std::string texture_copy(const scene::Scene& scene, int index, const std::string
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"C1", "C2", "C3", "C4", "D1", "D2", "D3", "D5", "D6", "E6", "N3", "N4", "N5", "S1", "S2", "S3", "S4"},
+      {"C1", "C2", "C3", "C4", "D1", "D2", "D3", "D5", "D6", "E6", "N3", "N4", "N5", "N6", "S1", "S2", "S3",
+       "S4"},
       {{"B1", "POV-Ray has glossy highlights of light sources, no glossy reflection"},
        {"B2", "POV-Ray has glossy highlights of light sources, no glossy reflection"},
        {"B3", "POV-Ray has glossy highlights of light sources, no glossy reflection"},
@@ -233,7 +234,9 @@ std::string opening_limit(const scene::Scene& scene, const scene::Material& mate
   if (!use) return "";
   const scene::Texture& a = texture_at(scene, *own);
   const scene::Texture& b = texture_at(scene, *use);
-  if (own->matrix == use->matrix && a.wrap_u == b.wrap_u && a.wrap_v == b.wrap_v) return "";
+  if (own->matrix == use->matrix && own->uv_set == use->uv_set && a.wrap_u == b.wrap_u &&
+      a.wrap_v == b.wrap_v)
+    return "";
   return fmt::format("material '{}' has textures that lie differently: POV-Ray has one list of coordinates",
                      material.name);
 }

@@ -46,7 +46,7 @@ Corner corner_of(const scene::Scene& scene,
                  std::uint32_t vertex,
                  const std::optional<TextureUse>& use) {
   return {cast<double>(mesh.positions[vertex]), cast<double>(mesh.normals[vertex]),
-          looked_up_at(scene, mesh.uvs[vertex], use)};
+          looked_up_at(scene, (use && use->uv_set != 0 ? mesh.second_uvs : mesh.uvs)[vertex], use)};
 }
 
 Vertex vertex_of(const Corner& corner) {

@@ -61,6 +61,7 @@ std::uint64_t scene_content_hash(const scene::Scene& scene, const std::filesyste
     add(mesh.normals);
     add(mesh.tangents);
     add(mesh.uvs);
+    add(mesh.second_uvs);
     add(mesh.triangles);
     add(mesh.triangle_materials);
     if (!mesh.end) continue;

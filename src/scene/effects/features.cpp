@@ -126,6 +126,7 @@ std::vector<CalledFeature> features_of_materials(const Scene& scene) {
       const Texture& image = texture_at(scene, use);
       if (image.wrap_u == Wrap::Mirror || image.wrap_v == Wrap::Mirror) note("N4", "has a mirrored texture");
       if (image.filter == Filter::Nearest) note("N5", "has a texture that is not interpolated");
+      if (use.uv_set != 0) note("N6", "has a texture at the second texture coordinates");
       if (use.matrix != Mat4{}) note("M5", "has a texture matrix");
     }
     const auto& texture = texture_of(material.model);

@@ -19,13 +19,14 @@ struct MeshEnd {
 };
 
 /// Indexed triangles with the attributes of ORB.S REQ_G1, used exactly as given. All vertex arrays have one
-/// length.
+/// length; there need be no second texture coordinates.
 struct Mesh {
   std::string name;
   std::vector<Vec3f> positions;
   std::vector<Vec3f> normals;
-  std::vector<Vec3f> tangents;  // zero where not available
-  std::vector<Vec2f> uvs;       // zero where not available
+  std::vector<Vec3f> tangents;      // zero where not available
+  std::vector<Vec2f> uvs;           // zero where not available
+  std::vector<Vec2f> second_uvs{};  // empty where not available
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<int> triangle_materials;  // one per triangle
   /// What the triangles, all of one material, are made from; who changes triangles or vertices drops it.
@@ -57,10 +58,23 @@ inline void append_vertex(Mesh& mesh, const Mesh& from, std::size_t index) {
   mesh.normals.push_back(from.normals[index]);
   mesh.tangents.push_back(from.tangents[index]);
   mesh.uvs.push_back(from.uvs[index]);
+  if (!from.second_uvs.empty()) mesh.second_uvs.push_back(from.second_uvs[index]);
   if (!from.end) return;
   if (!mesh.end) mesh.end.emplace();
   mesh.end->positions.push_back(from.end->positions[index]);
   mesh.end->normals.push_back(from.end->normals[index]);
+}
+
+/// Appends the second coordinates of the vertices that were just appended from `from`; they are zero where
+/// one of the meshes has none.
+inline void append_second_uvs(Mesh& mesh,
+                              const Mesh& from,
+                              std::size_t vertices_before,
+                              std::size_t vertices) {
+  if (mesh.second_uvs.empty() && from.second_uvs.empty()) return;
+  mesh.second_uvs.resize(vertices_before);
+  mesh.second_uvs.insert(mesh.second_uvs.end(), from.second_uvs.begin(), from.second_uvs.end());
+  mesh.second_uvs.resize(vertices);
 }
 
 /// Two triangles for each cell of a grid of (rows + 1)(columns + 1) vertices stored row by row from index

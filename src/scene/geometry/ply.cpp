@@ -158,6 +158,7 @@ class PlyReader {
                        is_normal ? "; \"crease_angle\" in the scene has normals computed" : ""));
     }
     uv_names_ = uv_names(element);
+    has_second_uvs_ = has_property(element, "u2") && has_property(element, "v2");
     has_tangents_ = std::string_view(uv_names_.first) != "tx";
   }
 
@@ -168,6 +169,8 @@ class PlyReader {
     mesh.tangents.push_back(has_tangents_ ? rounded("tx", "ty", "tz") : Vec3f{});
     mesh.uvs.push_back(
         {static_cast<float>(value(uv_names_.first)), static_cast<float>(value(uv_names_.second))});
+    if (has_second_uvs_)
+      mesh.second_uvs.push_back({static_cast<float>(value("u2")), static_cast<float>(value("v2"))});
     if (const Vec3f n = mesh.normals.back(); normals_ == FileNormals::Required && !is_direction(n))
       fail(fmt::format(
           "the normal is ({}, {}, {}), must be finite and not zero; \"crease_angle\" in the scene "
@@ -254,6 +257,7 @@ class PlyReader {
   Row values_;              // of the row, by the names of properties
   NamePair uv_names_;
   bool has_tangents_ = true;
+  bool has_second_uvs_ = false;
   std::string indices_;
   std::vector<Vec3d> places_;  // of the vertices
   Polygons faces_;
@@ -288,6 +292,8 @@ void write_ply(const Mesh& mesh, const std::filesystem::path& file, PlyContent c
   out += fmt::format("element vertex {}\n", mesh.positions.size());
   for (const char* name : {"x", "y", "z", "nx", "ny", "nz", "tx", "ty", "tz", "u", "v"})
     if (everything || *name != 't') out += fmt::format("property float {}\n", name);
+  const bool has_second_uvs = everything && !mesh.second_uvs.empty();
+  if (has_second_uvs) out += "property float u2\nproperty float v2\n";
   out += fmt::format("element face {}\nproperty list uchar uint vertex_indices\n{}end_header\n",
                      mesh.triangles.size(), everything ? "property int material\n" : "");
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -296,6 +302,9 @@ void write_ply(const Mesh& mesh, const std::filesystem::path& file, PlyContent c
     if (everything) append(out, mesh.tangents[i]);
     append(out, mesh.uvs[i].x);
     append(out, mesh.uvs[i].y);
+    if (!has_second_uvs) continue;
+    append(out, mesh.second_uvs[i].x);
+    append(out, mesh.second_uvs[i].y);
   }
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     append(out, std::uint8_t{3});

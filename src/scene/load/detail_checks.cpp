@@ -3,6 +3,7 @@
 #include "image/image_io.h"
 #include "scene/motion.h"
 
+#include <algorithm>
 #include <set>
 
 #include <fmt/format.h>
@@ -23,20 +24,23 @@ std::string colour_problem(const Scene& scene, const TextureUse& use) {
       texture.name);
 }
 
-std::string shown_by_problem(const Scene& scene, int material) {
-  const auto reason = [](const std::string& name) {
-    return name + " is a shape by its formula: meshes alone show opacity and other normals";
-  };
+// The shape by its formula that shows the material; "" if none does.
+std::string shown_by_shape(const Scene& scene, int material) {
   for (std::size_t i = 0; i < scene.spheres.size(); ++i)
-    if (scene.spheres[i].material == material) return reason(display_name("shape", scene.spheres[i].name, i));
+    if (scene.spheres[i].material == material) return display_name("shape", scene.spheres[i].name, i);
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
     bool shows = false;
     for_each_leaf(scene.shapes[i], 0,
                   [&](const Shape& leaf, int) { shows = shows || leaf.material == material; });
     if (shows || scene.shapes[i].material == material)
-      return reason(display_name("shape", scene.shapes[i].name, scene.spheres.size() + i));
+      return display_name("shape", scene.shapes[i].name, scene.spheres.size() + i);
   }
   return "";
+}
+
+std::string shown_by_problem(const Scene& scene, int material) {
+  const std::string name = shown_by_shape(scene, material);
+  return name.empty() ? "" : name + " is a shape by its formula: meshes alone show opacity and other normals";
 }
 
 // Instances that move while the shutter is open and show the material with other normals.
@@ -49,6 +53,18 @@ std::string moving_problem(const Scene& scene, int material) {
         return fmt::format("instance '{}' moves: what moves has no other normals", instance.name);
   }
   return "";
+}
+
+// Itself, or by a part of a blend.
+bool asks_for_second_uvs(const Scene& scene, int index) {
+  const Material& material = material_at(scene, index);
+  const auto uses = texture_uses(material);
+  if (std::any_of(uses.begin(), uses.end(), [](const TextureUse& use) { return use.uv_set != 0; }))
+    return true;
+  const auto* blend = std::get_if<Blend>(&material.model);
+  return blend != nullptr && std::any_of(blend->parts.begin(), blend->parts.end(), [&](const auto& part) {
+           return asks_for_second_uvs(scene, part.material);
+         });
 }
 
 }  // namespace
@@ -72,6 +88,22 @@ std::string detail_problem(const Scene& scene, int material, std::string& key) {
   if (problem.empty() && turns_normals(detail) && has_motion(scene))
     problem = moving_problem(scene, material);
   return problem;
+}
+
+std::string uv_set_problem(const Scene& scene, int material) {
+  if (!asks_for_second_uvs(scene, material)) return "";
+  if (const auto name = shown_by_shape(scene, material); !name.empty())
+    return fmt::format(
+        "asks for second texture coordinates, and {} is a shape by its formula, which has none", name);
+  for (const auto& instance : scene.instances) {
+    const Mesh& mesh = mesh_of(scene, instance);
+    if (!mesh.second_uvs.empty()) continue;
+    for (const int given : std::set<int>(mesh.triangle_materials.begin(), mesh.triangle_materials.end()))
+      if (remapped(instance, given) == material)
+        return fmt::format("asks for second texture coordinates, and mesh '{}' has no 'second_uvs'",
+                           mesh.name);
+  }
+  return "";
 }
 
 }  // namespace orbs::scene

@@ -10,4 +10,8 @@ namespace orbs::scene {
 /// shows it cannot have it. "" if nothing is. `key` gets the key to blame.
 std::string detail_problem(const Scene& scene, int material, std::string& key);
 
+/// What is wrong with the texture coordinates that the textures of a material ask for: a surface that shows
+/// it lacks the second ones. "" if nothing is.
+std::string uv_set_problem(const Scene& scene, int material);
+
 }  // namespace orbs::scene

@@ -160,6 +160,9 @@ void check_materials(const Scene& scene, const std::vector<json::ObjectReader>& 
   for (std::size_t i = 0; i < readers.size(); ++i)
     if (const auto problem = detail_problem(scene, static_cast<int>(i), key); !problem.empty())
       readers[i].fail(key, problem);
+  for (std::size_t i = 0; i < readers.size(); ++i)
+    if (const auto problem = uv_set_problem(scene, static_cast<int>(i)); !problem.empty())
+      readers[i].fail("", problem);
 }
 
 void check_textures(const Scene& scene, const std::vector<json::ObjectReader>& readers) {

@@ -90,6 +90,7 @@ MeshFile inline_mesh(json::ObjectReader& in) {
   mesh.uvs.resize(mesh.positions.size());
   if (in.has("tangents")) mesh.tangents = vectors<Vec3f>(in, "tangents", 3);
   if (in.has("uvs")) mesh.uvs = vectors<Vec2f>(in, "uvs", 2);
+  if (in.has("second_uvs")) mesh.second_uvs = vectors<Vec2f>(in, "second_uvs", 2);
   const auto corners = in.numbers("triangles", 0, json::kNotNegative);
   if (corners.size() % 3 != 0)
     in.fail("triangles", fmt::format("must hold groups of 3 indices, holds {}", corners.size()));
@@ -261,6 +262,7 @@ void append_moved(Mesh& whole, std::vector<Vec3d>& places, const MeshFile& file,
     whole.tangents.push_back(moves ? cast<float>(unit(transform_direction(matrix, t))) : part.tangents[i]);
     whole.uvs.push_back(part.uvs[i]);
   }
+  append_second_uvs(whole, part, first, places.size());
   for (const auto& t : part.triangles) whole.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
   whole.triangle_materials.insert(whole.triangle_materials.end(), part.triangle_materials.begin(),
                                   part.triangle_materials.end());
@@ -336,6 +338,11 @@ std::string mesh_problem(const Mesh& mesh) {
     return fmt::format("there are {} positions and {} tangents", count, mesh.tangents.size());
   if (mesh.uvs.size() != count)
     return fmt::format("there are {} positions and {} texture coordinates", count, mesh.uvs.size());
+  if (!mesh.second_uvs.empty() && mesh.second_uvs.size() != count)
+    return fmt::format("there are {} positions and {} second texture coordinates", count,
+                       mesh.second_uvs.size());
+  for (const Vec2f uv : mesh.second_uvs)
+    if (!std::isfinite(uv.x + uv.y)) return "a second texture coordinate is not finite";
   for (std::size_t i = 0; i < count; ++i) {
     if (!is_finite(mesh.tangents[i])) return fmt::format("tangent {} is not finite", i);
     if (!std::isfinite(mesh.uvs[i].x + mesh.uvs[i].y))

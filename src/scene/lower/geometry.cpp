@@ -52,6 +52,7 @@ void append_transformed(Mesh& world, const Mesh& mesh, const Instance& instance)
         cast<float>(transform_direction(instance.matrix, cast<double>(mesh.tangents[i]))));
     world.uvs.push_back(mesh.uvs[i]);
   }
+  append_second_uvs(world, mesh, first, world.positions.size());
   const bool mirrored = determinant3(instance.matrix) < 0;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     auto [a, b, c] = mesh.triangles[i];

@@ -40,6 +40,12 @@ Vec2f transformed(const Mat4& m, Vec2f uv) {
           static_cast<float>(m(1, 0) * u + m(1, 1) * v + m(1, 3))};
 }
 
+// Those of the last vertex.
+void transform_uvs(Mesh& mesh, const Mat4& matrix) {
+  mesh.uvs.back() = transformed(matrix, mesh.uvs.back());
+  if (!mesh.second_uvs.empty()) mesh.second_uvs.back() = transformed(matrix, mesh.second_uvs.back());
+}
+
 // Triangles of different materials may share vertices, whose coordinates then differ: each material gets a
 // separate vertex.
 void bake_texture_matrices(Mesh& mesh, const std::vector<Material>& materials) {
@@ -58,7 +64,7 @@ void bake_texture_matrices(Mesh& mesh, const std::vector<Material>& materials) {
       const auto [it, is_new] = places.try_emplace({vertex, has_matrix ? index : kAsIs}, place);
       if (is_new) {
         append_vertex(out, mesh, vertex);
-        if (has_matrix) out.uvs.back() = transformed(texture_uses(material).front().matrix, mesh.uvs[vertex]);
+        if (has_matrix) transform_uvs(out, texture_uses(material).front().matrix);
       }
       vertex = it->second;
     }
@@ -151,6 +157,8 @@ std::string lower_materials(Scene& scene, const Capabilities& capabilities) {
         return problem + ", which needs M5";
     bake_texture_matrices(scene);
   }
+  if (!capabilities.contains("N6"))  // a texture that asks for them is refused
+    for (auto& mesh : scene.meshes) mesh.second_uvs.clear();
   return lacking(features_of_materials(scene), capabilities);
 }
 

@@ -67,13 +67,17 @@ class Middles {
         mesh_.end->normals.push_back(mesh_.end->normals[a]);
       }
       mesh_.tangents.push_back(half(mesh_.tangents[a], mesh_.tangents[b]));
-      mesh_.uvs.push_back(
-          {0.5F * (mesh_.uvs[a].x + mesh_.uvs[b].x), 0.5F * (mesh_.uvs[a].y + mesh_.uvs[b].y)});
+      append_middle(mesh_.uvs, a, b);
+      if (!mesh_.second_uvs.empty()) append_middle(mesh_.second_uvs, a, b);
     }
     return found->second;
   }
 
  private:
+  static void append_middle(std::vector<Vec2f>& uvs, std::uint32_t a, std::uint32_t b) {
+    uvs.push_back({0.5F * (uvs[a].x + uvs[b].x), 0.5F * (uvs[a].y + uvs[b].y)});
+  }
+
   Mesh& mesh_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> places_;
 };

@@ -1,6 +1,7 @@
 #include "tracer/accel/openings.h"
 
 #include "base/nth.h"
+#include "tracer/colour/uv_at.h"
 #include "tracer/sampling/hash.h"
 
 #include <algorithm>
@@ -14,14 +15,7 @@ namespace {
 float share_at(const Openings& openings, const MaterialOpacity& opacity, const Hit& hit) {
   if (opacity.texture < 0) return opacity.share;
   const TriangleMesh& mesh = openings.meshes[openings.objects[hit.object].mesh];
-  const auto& corners = mesh.triangles[hit.primitive];
-  const auto [b1, b2] = hit.barycentric;
-  const Vec2f t0 = mesh.uvs[corners[0]];
-  const Vec2f t1 = mesh.uvs[corners[1]];
-  const Vec2f t2 = mesh.uvs[corners[2]];
-  const float b0 = 1 - b1 - b2;
-  const Vec2f uv{b0 * t0.x + b1 * t1.x + b2 * t2.x, b0 * t0.y + b1 * t1.y + b2 * t2.y};
-  const Vec3f texel = lookup(nth(openings.textures, opacity.texture), apply(opacity.uv, uv));
+  const Vec3f texel = lookup(nth(openings.textures, opacity.texture), uv_at(mesh, hit, opacity.uv));
   const float white = std::max({texel.x, texel.y, texel.z});
   return opacity.at_black * (1 - white) + opacity.share * white;
 }

@@ -36,7 +36,7 @@ inline TexturedColour make_textured_colour(const SceneColours& colours,
   TexturedColour out{make_colour(colours, rgb, spectrum)};
   if (!texture) return out;
   out.texture = texture->texture;
-  out.uv = uv_map(texture->matrix, scene::texture_at(colours.scene, *texture));
+  out.uv = uv_map(*texture, scene::texture_at(colours.scene, *texture));
   return out;
 }
 

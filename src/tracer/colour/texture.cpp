@@ -128,11 +128,11 @@ Vec2f slope_of_red(const TexelGrid& grid, Vec2f uv) {
           static_cast<float>(grid.height) * between(low_column, high_column, x.share_of_high)};
 }
 
-UvMap uv_map(const Mat4& matrix, const scene::Texture& texture) {
+UvMap uv_map(const scene::TextureUse& use, const scene::Texture& texture) {
   const bool keeps = has_fault(NumericFault::TexturePeriodsKept);
-  const Mat4 m = keeps ? matrix : scene::without_repetitions(matrix, texture);
+  const Mat4 m = keeps ? use.matrix : scene::without_repetitions(use.matrix, texture);
   const auto f = [&](std::size_t row, std::size_t column) { return static_cast<float>(m(row, column)); };
-  return {{f(0, 0), f(0, 1), f(0, 3), f(1, 0), f(1, 1), f(1, 3)}};
+  return {{f(0, 0), f(0, 1), f(0, 3), f(1, 0), f(1, 1), f(1, 3)}, use.uv_set};
 }
 
 }  // namespace orbs::tracer

@@ -35,9 +35,10 @@ Vec2f slope_of_red(const TexelGrid& grid, Vec2f uv);
 /// Affine map of texture coordinates: u' = m[0] u + m[1] v + m[2], v' = m[3] u + m[4] v + m[5].
 struct UvMap {
   std::array<float, 6> m{1, 0, 0, 0, 1, 0};
+  int set = 0;  // of the mesh's coordinates: 1 are the second ones
 };
 
-UvMap uv_map(const Mat4& matrix, const scene::Texture& texture);
+UvMap uv_map(const scene::TextureUse& use, const scene::Texture& texture);
 
 inline Vec2f apply(const UvMap& map, Vec2f uv) {
   return {map.m[0] * uv.x + map.m[1] * uv.y + map.m[2], map.m[3] * uv.x + map.m[4] * uv.y + map.m[5]};

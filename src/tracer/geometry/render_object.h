@@ -27,6 +27,7 @@ struct TriangleMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<int> materials;                 // per triangle
   std::vector<TriangleCache> triangle_cache;  // per triangle
+  std::vector<Vec2f> second_uvs{};            // as many as uvs, or none
   /// Positions in double of a mesh that is much larger than all else, whose corners in floats are too coarse
   /// for the scene on it. Empty otherwise.
   std::vector<Vec3d> exact_positions{};
@@ -34,6 +35,11 @@ struct TriangleMesh {
   std::vector<Vec3f> end_positions{};
   std::vector<Vec3f> end_normals{};
 };
+
+/// One of the two sets of texture coordinates. The loader lets no texture ask for one that is not there.
+inline const std::vector<Vec2f>& uvs_of(const TriangleMesh& mesh, int set) {
+  return set == 0 ? mesh.uvs : mesh.second_uvs;
+}
 
 struct SphereSurface {
   Vec3d centre;

@@ -15,8 +15,8 @@ struct Albedo {
   Vec3f of(const Colour& colour) const { return colour.rgb; }
   Vec3f of(const TexturedColour& textured) const {
     if (textured.texture < 0) return textured.colour.rgb;
-    return textured.colour.rgb * lookup(nth(world.textures, textured.texture),
-                                        apply(textured.uv, texture_coordinates(world, surface)));
+    return textured.colour.rgb *
+           lookup(nth(world.textures, textured.texture), texture_coordinates(world, surface, textured.uv));
   }
 
   template <typename Material>

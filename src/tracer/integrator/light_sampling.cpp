@@ -131,7 +131,7 @@ EmissionHit emission_at_surface(const World& world,
                                 const Ray& ray,
                                 const LightSampleContext& sampled_from) {
   const Radiance radiance =
-      emitted_radiance(world, material, apply(material.radiance.uv, texture_coordinates(world, surface)));
+      emitted_radiance(world, material, texture_coordinates(world, surface, material.radiance.uv));
   // Spheres and shapes by formulas are not in the table of emitters.
   const int found = emitter_of(world, surface.hit.object, surface.hit.primitive);
   if (found < 0) return {.radiance = radiance};

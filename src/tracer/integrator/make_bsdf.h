@@ -33,8 +33,8 @@ struct ShadingContext {
   /// The colour times the texture, if there is one: three channels.
   Vec3f textured(const TexturedColour& textured) const {
     if (textured.texture < 0) return textured.colour.rgb;
-    return textured.colour.rgb * lookup(nth(world.textures, textured.texture),
-                                        apply(textured.uv, texture_coordinates(world, surface)));
+    return textured.colour.rgb *
+           lookup(nth(world.textures, textured.texture), texture_coordinates(world, surface, textured.uv));
   }
 
   Value reflectance(const TexturedColour& of) const {

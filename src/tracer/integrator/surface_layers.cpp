@@ -91,7 +91,7 @@ Vec3d albedo_value(const LayerScene& of, const Seen& seen) {
 
 Vec3d uv_of(const LayerScene& of, const Seen& seen) {
   if (is_light(of.world, seen)) return {};
-  const Vec2f uv = texture_coordinates(of.world, surface_of(of.world, seen));
+  const Vec2f uv = texture_coordinates(of.world, surface_of(of.world, seen), UvMap{});
   return {static_cast<double>(uv.x), static_cast<double>(uv.y), 0};
 }
 

@@ -99,7 +99,7 @@ void add_emissive_triangles(const World& world,
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3f local = mesh.positions[mesh.triangles[i][k]];
       p[k] = object.kind == ObjectKind::InstancedMesh ? apply_to_point(object.to_world, local) : local;
-      uv[k] = apply(emission->radiance.uv, mesh.uvs[mesh.triangles[i][k]]);
+      uv[k] = apply(emission->radiance.uv, uvs_of(mesh, emission->radiance.uv.set)[mesh.triangles[i][k]]);
     }
     const Vec3f normal = cross(p[1] - p[0], p[2] - p[0]);
     const float area = 0.5F * length(normal);

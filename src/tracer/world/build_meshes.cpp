@@ -20,6 +20,7 @@ constexpr std::size_t kMostExactTriangles = 1024;
 // A mesh that changes its shape is never moved by a matrix here.
 TriangleMesh copy_mesh(const scene::Mesh& mesh, const Mat4& matrix) {
   TriangleMesh out{mesh.positions, mesh.normals, mesh.uvs, mesh.triangles, mesh.triangle_materials, {}};
+  out.second_uvs = mesh.second_uvs;
   if (mesh.end) {  // moving_surface.h normalises what it has interpolated
     out.end_positions = mesh.end->positions;
     out.end_normals = mesh.end->normals;

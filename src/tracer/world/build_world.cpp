@@ -61,9 +61,7 @@ void add_details(const scene::Scene& scene, std::optional<scene::RenderFault> fa
     has_openings = has_openings || lets_rays_pass(material_at(scene, index).detail);
     has_normals = has_normals || turns_normals(material_at(scene, index).detail);
   }
-  const auto map_of = [&](const scene::TextureUse& use) {
-    return uv_map(use.matrix, texture_at(scene, use));
-  };
+  const auto map_of = [&](const scene::TextureUse& use) { return uv_map(use, texture_at(scene, use)); };
   for (const auto& [name, model, detail] : scene.materials) {
     if (has_openings) {
       MaterialOpacity& opacity = world.opacities.emplace_back();

@@ -1,12 +1,14 @@
 #include "tracer/world/surface.h"
 
 #include "base/nth.h"
+#include "tracer/colour/uv_at.h"
 #include "tracer/numeric_fault.h"
 #include "tracer/plugins/plugin_hit.h"
 #include "tracer/sampling/warps.h"
 #include "tracer/shapes/solid_hit.h"
 #include "tracer/world/moving_surface.h"
 #include "tracer/world/surface_detail.h"
+#include "tracer/world/uv_directions.h"
 
 #include <algorithm>
 
@@ -190,23 +192,26 @@ SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit) {
   return point;
 }
 
-Vec2f texture_coordinates(const World& world, const SurfaceHit& surface) {
+namespace {
+
+// Of shapes by their formula.
+Vec2f coordinates_on_shape(const World& world, const SurfaceHit& surface) {
   const Hit& hit = surface.hit;
   const RenderObject& object = world.objects[hit.object];
   if (object.kind == ObjectKind::PluginShape) return hit.barycentric;
-  if (is_analytic(object.kind))
-    return object.kind == ObjectKind::Sphere
-               ? uv_of_sphere(surface.point.geometric_normal)
-               : texture_coordinates(world.solids[object.solid], hit, surface.point.position);
-  const TriangleMesh& mesh = world.meshes[object.mesh];
-  const auto& corners = mesh.triangles[hit.primitive];
-  const float b1 = hit.barycentric.x;
-  const float b2 = hit.barycentric.y;
-  const float b0 = 1 - b1 - b2;
-  const Vec2f t0 = mesh.uvs[corners[0]];
-  const Vec2f t1 = mesh.uvs[corners[1]];
-  const Vec2f t2 = mesh.uvs[corners[2]];
-  return {b0 * t0.x + b1 * t1.x + b2 * t2.x, b0 * t0.y + b1 * t1.y + b2 * t2.y};
+  return object.kind == ObjectKind::Sphere
+             ? uv_of_sphere(surface.point.geometric_normal)
+             : texture_coordinates(world.solids[object.solid], hit, surface.point.position);
+}
+
+}  // namespace
+
+Vec2f texture_coordinates(const World& world, const SurfaceHit& surface, const UvMap& map) {
+  const Hit& hit = surface.hit;
+  const RenderObject& object = world.objects[hit.object];
+  if (object.kind == ObjectKind::PluginShape || is_analytic(object.kind))
+    return apply(map, coordinates_on_shape(world, surface));
+  return uv_at(world.meshes[object.mesh], hit, map);
 }
 
 Vec3f direction_of_u(const World& world, const SurfaceHit& surface) {
@@ -215,19 +220,8 @@ Vec3f direction_of_u(const World& world, const SurfaceHit& surface) {
     const Vec3f n = surface.point.geometric_normal;
     return {n.z, 0, -n.x};  // u turns about y, from z to x
   }
-  if (object.kind != ObjectKind::WorldMesh && object.kind != ObjectKind::InstancedMesh) return {};
-  const TriangleMesh& mesh = world.meshes[object.mesh];
-  const auto& corners = mesh.triangles[surface.hit.primitive];
-  const TriangleCache& triangle = mesh.triangle_cache[surface.hit.primitive];
-  const Vec2f t0 = mesh.uvs[corners[0]];
-  const Vec2f t1 = mesh.uvs[corners[1]];
-  const Vec2f t2 = mesh.uvs[corners[2]];
-  const float v1 = t1.y - t0.y;
-  const float v2 = t2.y - t0.y;
-  // The edges are e = p_u u + p_v v. Their determinant counts by its sign alone.
-  const float sign = (t1.x - t0.x) * v2 < (t2.x - t0.x) * v1 ? -1 : 1;
-  const Vec3f along = (triangle.edge1 * v2 - triangle.edge2 * v1) * sign;
-  return object.kind == ObjectKind::WorldMesh ? along : apply_to_direction(object.to_world, along);
+  const auto directions = uv_directions_at(world, surface.hit, UvMap{});
+  return directions ? directions->along_u : Vec3f{};
 }
 
 Radiance emitted_radiance(const World& world, const EmissionMaterial& material, Vec2f uv) {

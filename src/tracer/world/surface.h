@@ -25,11 +25,13 @@ struct SurfaceHit {
   const Hit& hit;
 };
 
-/// Texture coordinates given by the mesh; those of a sphere are defined at scene::Sphere.
-Vec2f texture_coordinates(const World& world, const SurfaceHit& surface);
+/// Where a texture is looked up: the coordinates given by the mesh, of which the map says the set, mapped.
+/// Those of a sphere are defined at scene::Sphere.
+Vec2f texture_coordinates(const World& world, const SurfaceHit& surface, const UvMap& map);
 
 /// The direction in the world in which the texture coordinate u grows at the surface, of any length; zero
-/// where the coordinates have none, and on surfaces that are neither meshes at rest nor spheres.
+/// where the coordinates have none, and on surfaces that are neither meshes at rest nor spheres. Of the first
+/// coordinates of a mesh.
 Vec3f direction_of_u(const World& world, const SurfaceHit& surface);
 
 /// Radiance that an emissive material emits at these texture coordinates, to which its UV matrix is applied

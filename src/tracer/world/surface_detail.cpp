@@ -1,7 +1,8 @@
 #include "tracer/world/surface_detail.h"
 
 #include "base/nth.h"
-#include "tracer/geometry/tangent_frame.h"
+#include "tracer/colour/texture.h"
+#include "tracer/world/uv_directions.h"
 #include "tracer/world/world.h"
 
 #include <optional>
@@ -10,37 +11,26 @@ namespace orbs::tracer {
 
 namespace {
 
-struct Place {
-  UvDirections directions;  // in world space, for the coordinates that the map is looked up at
-  Vec2f uv;
-};
-
-// The coordinates are those after the map's matrix.
-std::optional<Place> place_of(const World& world, const Hit& hit, const UvMap& map) {
-  const RenderObject& object = world.objects[hit.object];
-  const TriangleMesh& mesh = world.meshes[object.mesh];
+// As uv_at(mesh, hit, map), but mapped before it is interpolated: the other rounding would turn normals by
+// the last digit, and with them what is taken for like pixels where variances are estimated.
+Vec2f map_at(const World& world, const Hit& hit, const UvMap& map) {
+  const TriangleMesh& mesh = world.meshes[world.objects[hit.object].mesh];
+  const std::vector<Vec2f>& uvs = uvs_of(mesh, map.set);
   const auto& corners = mesh.triangles[hit.primitive];
-  const TriangleCache& triangle = mesh.triangle_cache[hit.primitive];
-  const bool is_instance = object.kind == ObjectKind::InstancedMesh;
-  const Vec3f e1 = is_instance ? apply_to_direction(object.to_world, triangle.edge1) : triangle.edge1;
-  const Vec3f e2 = is_instance ? apply_to_direction(object.to_world, triangle.edge2) : triangle.edge2;
-  const Vec2f t0 = apply(map, mesh.uvs[corners[0]]);
-  const Vec2f t1 = apply(map, mesh.uvs[corners[1]]);
-  const Vec2f t2 = apply(map, mesh.uvs[corners[2]]);
-  const Vec2f d1{t1.x - t0.x, t1.y - t0.y};
-  const Vec2f d2{t2.x - t0.x, t2.y - t0.y};
-  const auto directions = uv_directions(e1, e2, d1, d2);
-  if (!directions) return std::nullopt;
+  const Vec2f t0 = apply(map, uvs[corners[0]]);
+  const Vec2f t1 = apply(map, uvs[corners[1]]);
+  const Vec2f t2 = apply(map, uvs[corners[2]]);
   const auto [b1, b2] = hit.barycentric;
-  return Place{*directions, {t0.x + b1 * d1.x + b2 * d2.x, t0.y + b1 * d1.y + b2 * d2.y}};
+  return {t0.x + b1 * (t1.x - t0.x) + b2 * (t2.x - t0.x), t0.y + b1 * (t1.y - t0.y) + b2 * (t2.y - t0.y)};
 }
 
 std::optional<Vec3f> mapped_normal(const World& world, const NormalTexture& map, const Hit& hit, Vec3f n) {
-  const auto place = place_of(world, hit, map.uv);
-  if (!place) return std::nullopt;
-  const auto frame = tangent_frame(n, place->directions);
+  const auto directions = uv_directions_at(world, hit, map.uv);
+  if (!directions) return std::nullopt;
+  const auto frame = tangent_frame(n, *directions);
   if (!frame) return std::nullopt;
-  const Vec3f texel = lookup(nth(world.textures, map.texture), place->uv) * 2 - Vec3f{1, 1, 1};
+  const Vec3f texel =
+      lookup(nth(world.textures, map.texture), map_at(world, hit, map.uv)) * 2 - Vec3f{1, 1, 1};
   return frame->along_u * (map.strength.x * texel.x) + frame->along_v * (map.strength.y * texel.y) +
          n * texel.z;
 }
@@ -48,10 +38,11 @@ std::optional<Vec3f> mapped_normal(const World& world, const NormalTexture& map,
 // n less the gradient of the height along the surface, times the area that one of u times one of v covers:
 // (p_u + h_u n) x (p_v + h_v n), where p_u and p_v are those across the shading normal.
 std::optional<Vec3f> bumped_normal(const World& world, const BumpTexture& map, const Hit& hit, Vec3f n) {
-  const auto place = place_of(world, hit, map.uv);
-  if (!place) return std::nullopt;
-  const Vec2f slope = slope_of_red(nth(world.textures, map.texture), place->uv);
-  const auto& [per_u, per_v] = place->directions;
+  const auto directions = uv_directions_at(world, hit, map.uv);
+  if (!directions) return std::nullopt;
+  const Vec2f slope = slope_of_red(nth(world.textures, map.texture), map_at(world, hit, map.uv));
+  const Vec3f per_u = directions->along_u * directions->scale;
+  const Vec3f per_v = directions->along_v * directions->scale;
   const Vec3f across_u = per_u - n * dot(n, per_u);
   const Vec3f across_v = per_v - n * dot(n, per_v);
   const Vec3f bumped =

@@ -1,5 +1,6 @@
-// What the exporters write of opacities and bump maps; that the programs make the right images of it shows
-// in the suite everyday.
+// What the exporters write of opacities, normals, bumps and second coordinates; that the programs make the
+// right images of it shows in the suite everyday.
+#include "adapters/material_meshes.h"
 #include "adapters/mitsuba/mitsuba.h"
 #include "adapters/pbrt/pbrt.h"
 #include "base/files.h"
@@ -76,6 +77,38 @@ TEST_F(SurfaceDetail, PbrtHasNoBumpsWhereVIsNotUTurnedByAQuarter) {
   EXPECT_EQ(adapters::pbrt_limits(scene).size(), 1U);
   scene.materials[0].detail = {};
   EXPECT_EQ(adapters::pbrt_limits(scene), std::vector<std::string>{});
+}
+
+TEST_F(SurfaceDetail, NormalMapsOfMirroredFramesHaveGreenTurnedOver) {
+  auto scene = card_with({1, {}, scene::NormalMap{{0, {}}, 0.5}, {}});
+  EXPECT_FALSE(has(mitsuba(scene), "-mirrored"));
+  EXPECT_TRUE(has(pbrt(scene), "\"string normalmap\" \"a-normals0.exr\""));
+  scene.instances.push_back({"mirrored", 0, scaling({-1, 1, 1}), {}});
+  EXPECT_TRUE(has(mitsuba(scene), "<ref id=\"material0-mirrored\"/>"));
+  EXPECT_TRUE(has(mitsuba(scene), "<ref id=\"material0\"/>"));
+  EXPECT_TRUE(has(pbrt(scene), "\"string normalmap\" \"a-normals0-mirrored.exr\""));
+  const auto plain = image::read_image(folder_ / "a-normals0.exr");
+  const auto mirrored = image::read_image(folder_ / "a-normals0-mirrored.exr");
+  const float texel = 150 / 255.0F;
+  EXPECT_NEAR(plain.at(15, 0, 1), 0.5F + 0.5F * (texel - 0.5F), 1e-6);
+  EXPECT_NEAR(mirrored.at(15, 0, 1), 0.5F - 0.5F * (texel - 0.5F), 1e-6);
+  EXPECT_EQ(mirrored.at(15, 0, 0), plain.at(15, 0, 0));
+  EXPECT_NEAR(plain.at(15, 0, 2), texel, 1e-6) << "the strength is none of z";
+  // Two mirrors are none.
+  for (auto& uv : scene.meshes[0].uvs) uv.y = -uv.y;
+  scene.instances.erase(scene.instances.begin());
+  EXPECT_FALSE(has(mitsuba(scene), "<ref id=\"material0-mirrored\"/>"));
+}
+
+TEST_F(SurfaceDetail, OneSetOfCoordinatesIsWritten) {
+  auto scene = card_with(kRaised);
+  scene.meshes[0].second_uvs = {{0.25F, 0}, {0.25F, 1}, {0, 1}, {0, 0}};
+  scene.materials[0].detail.bump_map->texture.uv_set = 1;
+  EXPECT_EQ(adapters::material_meshes(scene).at(0).mesh.uvs, scene.meshes[0].second_uvs);
+  EXPECT_EQ(adapters::uv_set_limit(scene, 0, "X"), "");
+  std::get<scene::Lambert>(scene.materials[0].model).texture = scene::TextureUse{0, {}};
+  EXPECT_EQ(adapters::uv_set_limit(scene, 0, "X"),
+            "material 'm' looks textures up at both sets of texture coordinates: X has one");
 }
 
 // Mitsuba mirrors textures itself, for pbrt the mirror images stand beside the image.
