@@ -117,7 +117,7 @@ TEST_F(EnvironmentExport, IsRefusedWithAReasonWhereThereIsNoWay) {
     for (const auto& one : all) out += one + "\n";
     return out;
   };
-  EXPECT_HOLDS(reasons(adapters::pbrt_limits(scene)), "pbrt makes spectra");
+  EXPECT_HOLDS(reasons(adapters::pbrt_limits(scene)), "pbrt multiplies the colours of a sky");
   EXPECT_HOLDS(reasons(adapters::pbrt_limits(scene)), "pbrt's camera sees all");
   EXPECT_HOLDS(reasons(adapters::gltf_limits(scene)), "has no environment");
   EXPECT_EQ(reasons(adapters::mitsuba_limits(scene)), "");
