@@ -28,7 +28,7 @@ TEST(TracerTexture, WholePeriodsOfAMatrixLeaveTheFraction) {
     Mat4 matrix;
     matrix(0, 3) = u;
     matrix(1, 3) = v;
-    return tracer::apply(tracer::uv_map(matrix, texture), {});
+    return tracer::apply(tracer::uv_map({.matrix = matrix}, texture), {});
   };
   EXPECT_EQ(moved(repeats, 1e9 + 0.25, -1e9 - 0.25), (Vec2f{0.25F, 0.75F}));
   EXPECT_EQ(moved(ends, 1e9, -1e9), (Vec2f{1e9F, -1e9F}));
