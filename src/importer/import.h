@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace orbs::importer {
@@ -41,7 +42,8 @@ struct Import {
   scene::Scene scene{};
   UniqueNames material_names{};
   std::map<std::array<double, 6>, int> materials{};  // by glTF's index and Shown
-  std::map<std::pair<int, int>, int> textures{};     // by glTF's image and sampler
+  /// By glTF's image and sampler, and what was made of them: "colours", "numbers", "alpha".
+  std::map<std::tuple<int, int, std::string>, int> textures{};
 };
 
 }  // namespace orbs::importer

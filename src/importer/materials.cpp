@@ -1,5 +1,7 @@
 #include "importer/materials.h"
 
+#include "importer/gltf_material.h"
+#include "importer/surface_detail.h"
 #include "importer/textures.h"
 #include "importer/values.h"
 
@@ -9,16 +11,6 @@
 namespace orbs::importer {
 
 namespace {
-
-const tinygltf::Material& material_at(const Import& import, int index) {
-  static const tinygltf::Material kDefault = [] {
-    tinygltf::Material material;
-    material.name = "default of glTF";
-    return material;
-  }();
-  if (index < 0) return kDefault;
-  return item(import.source, import.source.model.materials, index, "material", "a mesh");
-}
 
 // A material in glTF's own terms, with its extensions.
 struct Entry {
@@ -70,14 +62,8 @@ Entry entry_of(Import& import, int index, const Shown& shown) {
 
 void name_maps(Import& import, const Entry& entry) {
   auto& report = import.report;
-  if (entry.in.normalTexture.index >= 0)
-    report.not_understood("normal maps", "the normals of the mesh alone", entry.where);
   if (entry.in.occlusionTexture.index >= 0)
     report.not_understood("occlusion maps", "light transport makes the shadows itself", entry.where);
-  if (entry.in.alphaMode == "MASK")
-    report.not_understood("alpha masks", "opaque everywhere", entry.where);
-  else if (entry.in.alphaMode == "BLEND")
-    report.not_understood("alpha blending", "opaque everywhere", entry.where);
 }
 
 // Extensions of materials, and what stands for each. Those of no effect on what is drawn are not among them.
@@ -204,17 +190,11 @@ int material_for(Import& import, int index, const Shown& shown) {
   name_extensions(import, entry);
   auto model = model_of(import, entry);
   const auto name = import.material_names.add(entry.in.name, fmt::format("material {}", index));
-  import.scene.materials.push_back({name, std::move(model)});
+  const auto detail = surface_detail(import, index, std::holds_alternative<scene::Emission>(model));
+  import.scene.materials.push_back({name, std::move(model), detail});
   const int added = static_cast<int>(import.scene.materials.size()) - 1;
   import.materials[key] = added;
   return added;
-}
-
-int colour_coordinates(const Import& import, int index) {
-  const auto& material = material_at(import, index);
-  const auto& base = material.pbrMetallicRoughness.baseColorTexture;
-  return coordinate_set(base.index < 0 && material.emissiveTexture.index >= 0 ? material.emissiveTexture
-                                                                              : base);
 }
 
 }  // namespace orbs::importer

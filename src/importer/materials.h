@@ -10,7 +10,4 @@ namespace orbs::importer {
 /// where there is none yet.
 int material_for(Import& import, int index, const Shown& shown);
 
-/// The set of coordinates that the colour texture of the material uses.
-int colour_coordinates(const Import& import, int index);
-
 }  // namespace orbs::importer

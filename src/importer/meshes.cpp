@@ -1,5 +1,6 @@
 #include "importer/meshes.h"
 
+#include "importer/gltf_material.h"
 #include "importer/materials.h"
 
 #include <algorithm>
@@ -30,6 +31,7 @@ void make_flat(Vertices& vertices, std::vector<Triangle>& triangles) {
       flat.tangents.push_back(vertices.tangents[corner]);
       flat.uvs.push_back(vertices.uvs[corner]);
       flat.map_uvs.push_back(vertices.map_uvs[corner]);
+      if (!vertices.second_uvs.empty()) flat.second_uvs.push_back(vertices.second_uvs[corner]);
     }
     kept.push_back({first, first + 1, first + 2});
   }
@@ -79,6 +81,14 @@ scene::RgbColour mean_colour(Import& import, const tinygltf::Primitive& primitiv
   if (is_even) return {first[0], first[1], first[2]};
   import.report.not_understood("colours of vertices", "their mean over a part of a mesh", where);
   return sum / static_cast<double>(colours.count);
+}
+
+// Ours follow from the coordinates of each triangle; those of a file were smoothed.
+void name_tangents(Import& import, const tinygltf::Primitive& primitive, const std::string& where) {
+  if (material_at(import, primitive.material).normalTexture.index >= 0 &&
+      primitive.attributes.contains("TANGENT"))
+    import.report.not_understood("tangents under normal maps",
+                                 "those of the texture coordinates of each triangle", where);
 }
 
 }  // namespace
@@ -133,8 +143,10 @@ void Meshes::add_primitive(const tinygltf::Primitive& primitive,
   }
   const int colour_set = colour_coordinates(*import_, primitive.material);
   const auto& map = surface_map(primitive.material);
-  auto vertices =
-      read_vertices(source, primitive, pose, {colour_set, map ? map->coordinates() : colour_set}, where);
+  const UvSets sets{colour_set, map ? map->coordinates() : colour_set,
+                    second_coordinates(*import_, primitive.material)};
+  auto vertices = read_vertices(source, primitive, pose, sets, where);
+  name_tangents(*import_, primitive, where);
   auto triangles = read_triangles(source, primitive, vertices.positions.size(), where);
   if (vertices.normals.empty())
     make_flat(vertices, triangles);
@@ -149,6 +161,11 @@ void Meshes::add_primitive(const tinygltf::Primitive& primitive,
     mesh.normals.push_back(cast<float>(vertices.normals[i]));
     mesh.tangents.push_back(cast<float>(vertices.tangents[i]));
     mesh.uvs.push_back(vertices.uvs[i]);
+  }
+  if (!mesh.second_uvs.empty() || !vertices.second_uvs.empty()) {
+    mesh.second_uvs.resize(first_vertex);
+    mesh.second_uvs.insert(mesh.second_uvs.end(), vertices.second_uvs.begin(), vertices.second_uvs.end());
+    mesh.second_uvs.resize(mesh.positions.size());
   }
   for (const Triangle& t : triangles)
     mesh.triangles.push_back({t[0] + first_vertex, t[1] + first_vertex, t[2] + first_vertex});

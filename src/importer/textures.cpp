@@ -4,7 +4,10 @@
 #include "image/image_io.h"
 #include "importer/values.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <tuple>
 
 namespace orbs::importer {
 
@@ -59,22 +62,49 @@ scene::Wrap wrap_of(const Source& source, int code, const std::string& where) {
   return scene::Wrap::Repeat;
 }
 
+// Three channels of the picture for red, green and blue.
+image::Image picked(const image::Image& picture, const std::array<std::size_t, 3>& channels) {
+  image::Image out = image::make_image(picture.width, picture.height, {"R", "G", "B"});
+  for (std::size_t i = 0; i < out.pixels.size(); ++i)
+    out.pixels[i] = picture.pixels[i / 3 * picture.channel_count() + channels.at(i % 3)];
+  return out;
+}
+
 int add_texture(Import& import,
                 const tinygltf::Texture& wanted,
-                const image::Image& picture,
+                const image::Image& texels,
+                scene::Encoding encoding,
                 const std::string& where) {
   scene::Texture texture = sampled(import.source, wanted.sampler, where);
   const auto number = import.scene.textures.size();
   const auto& source_image = import.source.model.images[static_cast<std::size_t>(wanted.source)];
   texture.name = fmt::format("{} {}", source_image.name.empty() ? "texture" : source_image.name, number);
   texture.file = fmt::format("texture.{}.png", number);
-  const auto channels = image::texture_channels(picture);
-  image::Image colours = image::make_image(picture.width, picture.height, {"R", "G", "B"});
-  for (std::size_t i = 0; i < colours.pixels.size(); ++i)
-    colours.pixels[i] = picture.pixels[i / 3 * picture.channel_count() + channels.at(i % 3)];
-  write_file(import.folder / texture.file, image::png_bytes(colours));
+  texture.encoding = encoding;
+  write_file(import.folder / texture.file, image::png_bytes(texels));
   import.scene.textures.push_back(std::move(texture));
   return static_cast<int>(number);
+}
+
+// The texture that `make` makes of the picture, or made of it before; nothing where it makes none.
+template <typename Make>
+std::optional<scene::TextureUse> made_use(Import& import,
+                                          const tinygltf::TextureInfo& info,
+                                          const std::string& where,
+                                          const std::string& kind,
+                                          const Make& make) {
+  if (info.index < 0) return std::nullopt;
+  const auto& wanted = texture_at(import, info.index, where);
+  const std::tuple key{wanted.source, wanted.sampler, kind};
+  auto known = import.textures.find(key);
+  if (known == import.textures.end()) {
+    const auto picture = read_picture(import, info.index, where);
+    const std::optional<image::Image> texels = picture ? make(*picture) : std::nullopt;
+    if (!texels) return std::nullopt;
+    const auto encoding = kind == "colours" ? scene::Encoding::Srgb : scene::Encoding::Linear;
+    known = import.textures.emplace(key, add_texture(import, wanted, *texels, encoding, where)).first;
+  }
+  return scene::TextureUse{known->second, texture_matrix(import.source, info, where)};
 }
 
 }  // namespace
@@ -100,17 +130,28 @@ std::optional<image::Image> read_picture(Import& import, int texture, const std:
 
 std::optional<scene::TextureUse> texture_use(Import& import,
                                              const tinygltf::TextureInfo& info,
-                                             const std::string& where) {
-  if (info.index < 0) return std::nullopt;
-  const auto& wanted = texture_at(import, info.index, where);
-  const auto known = import.textures.find({wanted.source, wanted.sampler});
-  if (known != import.textures.end())
-    return scene::TextureUse{known->second, texture_matrix(import.source, info, where)};
-  const auto picture = read_picture(import, info.index, where);
-  if (!picture) return std::nullopt;
-  const int texture = add_texture(import, wanted, *picture, where);
-  import.textures[{wanted.source, wanted.sampler}] = texture;
-  return scene::TextureUse{texture, texture_matrix(import.source, info, where)};
+                                             const std::string& where,
+                                             TexelsOf texels) {
+  return made_use(import, info, where, texels == TexelsOf::Colours ? "colours" : "numbers",
+                  [](const image::Image& picture) -> std::optional<image::Image> {
+                    return picked(picture, image::texture_channels(picture));
+                  });
+}
+
+std::optional<scene::TextureUse> alpha_use(Import& import,
+                                           const tinygltf::TextureInfo& info,
+                                           const std::string& where,
+                                           const std::optional<double>& cutoff) {
+  const auto kind = cutoff ? fmt::format("alpha from {}", *cutoff) : "alpha";
+  return made_use(import, info, where, kind, [&](const image::Image& picture) -> std::optional<image::Image> {
+    const auto found = std::find(picture.channels.begin(), picture.channels.end(), "A");
+    if (found == picture.channels.end()) return std::nullopt;
+    const auto alpha = static_cast<std::size_t>(found - picture.channels.begin());
+    auto texels = picked(picture, {alpha, alpha, alpha});
+    for (float& value : texels.pixels)
+      if (cutoff) value = static_cast<double>(value) < *cutoff ? 0.0F : 1.0F;
+    return texels;
+  });
 }
 
 int coordinate_set(const tinygltf::TextureInfo& info) {

@@ -144,6 +144,7 @@ Vertices read_vertices(const Source& source,
   vertices.uvs = read_uvs(source, primitive, sets.colour, positions.count, where);
   vertices.map_uvs =
       sets.map == sets.colour ? vertices.uvs : read_uvs(source, primitive, sets.map, positions.count, where);
+  if (sets.second) vertices.second_uvs = read_uvs(source, primitive, *sets.second, positions.count, where);
   morph(source, primitive, pose.weights, where, vertices);
   if (!pose.joints.empty()) skin(source, primitive, pose.joints, where, vertices);
   check_places(source, vertices.positions, where);

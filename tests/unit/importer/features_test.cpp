@@ -1,5 +1,7 @@
 // What of a file is understood, and what is named because it is not.
+#include "image/image_io.h"
 #include "scene/camera_frame.h"
+#include "unit/image/png_bytes.h"
 #include "unit/importer/made_gltf.h"
 
 #include <cmath>
@@ -298,10 +300,12 @@ TEST(ImportedMaterial, EmissionGlassAndLambertAreTheirOwnTypes) {
 
 TEST(ImportedMaterial, WhatIsNotUnderstoodIsNamed) {
   const std::vector<std::pair<json, std::string>> cases{
-      {{{"normalTexture", {{"index", 0}}}}, "normal maps"},
+      {{{"normalTexture", {{"index", 0}, {"scale", -1}}}}, "normal maps of negative"},
+      {{{"normalTexture", {{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"rotation", 1}}}}}}}},
+       "normal maps that a texture transform turns"},
       {{{"occlusionTexture", {{"index", 0}}}}, "occlusion maps"},
-      {{{"alphaMode", "MASK"}}, "alpha masks"},
-      {{{"alphaMode", "BLEND"}}, "alpha blending"},
+      {{{"alphaMode", "BLEND"}, {"extensions", {{"KHR_materials_unlit", json::object()}}}},
+       "transparency of what emits"},
       {{{"doubleSided", false}}, "materials that show their front alone"},
       {{{"emissiveFactor", {1, 1, 1}}}, "surfaces that emit and reflect"},
       {{{"emissiveFactor", {1, 1, 1}}, {"emissiveTexture", {{"index", 0}}}}, "emission by a texture"},
@@ -321,6 +325,75 @@ TEST(ImportedMaterial, WhatIsNotUnderstoodIsNamed) {
     const auto imported = ImportFolder().import(with_material(material));
     EXPECT_TRUE(imported.names(named)) << material;
   }
+}
+
+TEST(ImportedMaterial, NormalMapsHaveTheirStrengthAndTheirCoordinates) {
+  auto made = with_material({{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}},
+                             {"normalTexture", {{"index", 0}, {"scale", 0.5}, {"texCoord", 1}}}});
+  const int uvs = made.add_floats({0.25, 1, 0.5, 1, 0.25, 0}, "VEC2");
+  made.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] = uvs;
+  const auto imported = ImportFolder().import(made);
+  const auto& map = imported.scene.materials.at(0).detail.normal_map;
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->strength, 0.5);
+  EXPECT_EQ(map->texture.uv_set, 1);
+  EXPECT_EQ(texture_at(imported.scene, map->texture).encoding, scene::Encoding::Linear);
+  EXPECT_EQ(imported.scene.textures.size(), 2u) << "the same image as colours and as numbers";
+  EXPECT_EQ(imported.scene.meshes.at(0).second_uvs, (std::vector<Vec2f>{{0.25, 0}, {0.5, 0}, {0.25, 1}}));
+  EXPECT_EQ(imported.scene.meshes.at(0).uvs, (std::vector<Vec2f>{{0, 0}, {1, 0}, {0, 1}}));
+}
+
+TEST(ImportedMaterial, OneSetOfCoordinatesIsTheFirst) {
+  auto made = with_material({{"normalTexture", {{"index", 0}, {"texCoord", 1}}}});
+  made.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] =
+      made.add_floats({0.25, 1, 0.5, 1, 0.25, 0}, "VEC2");
+  const auto imported = ImportFolder().import(made);
+  EXPECT_EQ(imported.scene.materials.at(0).detail.normal_map->texture.uv_set, 0);
+  EXPECT_EQ(imported.scene.meshes.at(0).uvs, (std::vector<Vec2f>{{0.25, 0}, {0.5, 0}, {0.25, 1}}));
+  EXPECT_TRUE(imported.scene.meshes.at(0).second_uvs.empty());
+}
+
+// A row of black texels with these alphas, of 255.
+json alpha_texture(MadeGltf& made, const std::string& alphas) {
+  constexpr int kRgba = 6;
+  std::string row(1, '\0');
+  for (const char alpha : alphas) row += std::string(3, '\0') + alpha;
+  const auto png = image_test::png_bytes(static_cast<std::uint32_t>(alphas.size()), 1, 8, kRgba, row);
+  const int added = made.add("images", {{"bufferView", made.add_view(png)}, {"mimeType", "image/png"}});
+  return {{"index", made.add("textures", {{"source", added}})}};
+}
+
+std::vector<float> texels_of(const scene::Scene& scene, const scene::TextureUse& use) {
+  return image::read_linear_rgb(texture_at(scene, use).file, image::Encoded::Numbers).pixels;
+}
+
+TEST(ImportedMaterial, AlphaIsOpacity) {
+  auto made = with_material(json::object());
+  auto& material = made.json["materials"][0];
+  material["pbrMetallicRoughness"] = {{"baseColorFactor", {1, 1, 1, 0.5}}};
+  EXPECT_EQ(ImportFolder().import(made).scene.materials.at(0).detail, scene::SurfaceDetail{});
+  material["alphaMode"] = "BLEND";
+  EXPECT_EQ(ImportFolder().import(made).scene.materials.at(0).detail.opacity, 0.5);
+  material["alphaMode"] = "MASK";
+  EXPECT_EQ(ImportFolder().import(made).scene.materials.at(0).detail.opacity, 1);
+  material["alphaCutoff"] = 0.6;
+  EXPECT_EQ(ImportFolder().import(made).scene.materials.at(0).detail.opacity, 0);
+  material["alphaCutoff"] = 0.3;
+  material["pbrMetallicRoughness"]["baseColorTexture"] =
+      alpha_texture(made, std::string("\x00\x33\xcc\xff", 4));
+  const ImportFolder folder;
+  const auto mask = folder.import(made);
+  const auto& detail = mask.scene.materials.at(0).detail;
+  EXPECT_EQ(detail.opacity, 1);
+  EXPECT_EQ(texels_of(mask.scene, detail.opacity_texture.value()),
+            (std::vector<float>{0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1}))
+      << "0.8 times 0.5 is 0.4, which is 0.3 and more";
+  EXPECT_TRUE(mask.names("alpha masks between their texels"));
+  material["alphaMode"] = "BLEND";
+  const auto blend = folder.import(made);
+  EXPECT_EQ(blend.scene.materials.at(0).detail.opacity, 0.5);
+  EXPECT_NEAR(texels_of(blend.scene, blend.scene.materials.at(0).detail.opacity_texture.value()).at(3), 0.2,
+              1e-3);
 }
 
 TEST(ImportedMaterial, TexturesGoOnBeyondTheirEdgesAsTheSamplerSays) {
