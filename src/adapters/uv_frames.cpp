@@ -5,7 +5,10 @@
 namespace orbs::adapters {
 
 std::optional<UvFrame> uv_frame(const scene::Mesh& mesh, std::size_t triangle) {
-  const auto [a, b, c] = mesh.triangles[triangle];
+  const auto& corners = mesh.triangles[triangle];
+  const auto a = corners[0];
+  const auto b = corners[1];
+  const auto c = corners[2];
   const auto edge = [&](std::uint32_t to) {
     return cast<double>(mesh.positions[to]) - cast<double>(mesh.positions[a]);
   };

@@ -51,10 +51,10 @@ Points points_of(const PairSamples& samples, const ComparedLayer& layer) {
                 static_cast<double>(channel.most[i]) - static_cast<double>(channel.least[i]) <= most_range;
     }
     if (!is_even) continue;
-    const double x =
-        static_cast<double>(i % static_cast<std::size_t>(samples.width)) + 0.5 - samples.width / 2.0;
-    const double y =
-        static_cast<double>(i / static_cast<std::size_t>(samples.width)) + 0.5 - samples.height / 2.0;
+    const int column = static_cast<int>(i) % samples.width;
+    const int row = static_cast<int>(i) / samples.width;
+    const double x = column + 0.5 - samples.width / 2.0;
+    const double y = row + 0.5 - samples.height / 2.0;
     points.result.push_back(result);
     points.reference.push_back(reference);
     points.radius_squared.push_back(x * x + y * y);

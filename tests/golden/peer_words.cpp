@@ -60,7 +60,8 @@ class PbrtWords {
       const std::string parameter = text();
       const std::string value = tokens_.at(at_);
       words_.insert(fmt::format("{} {}", of, parameter));
-      if (parameter.starts_with("string ") && parameter != "string filename" && is_text(value))
+      const bool is_of_file = parameter == "string filename" || parameter == "string normalmap";
+      if (parameter.starts_with("string ") && !is_of_file && is_text(value))
         words_.insert(fmt::format("{} {}={}", of, parameter, value.substr(1)));
       if (value == "[")
         while (tokens_.at(at_) != "]") ++at_;

@@ -202,7 +202,8 @@ std::string lower_geometry(Scene& scene, const Capabilities& capabilities) {
 std::variant<Scene, std::string> lower(const Scene& scene, const Capabilities& capabilities) {
   Scene lowered = scene;
   for (const auto& features :
-       {features_of_integrator(scene), features_of_motion(scene), features_of_camera(scene)})
+       {features_of_integrator(scene), features_of_motion(scene), features_of_camera(scene),
+        features_of_environment(scene), features_of_outputs(scene)})
     if (auto reason = lacking(features, capabilities); !reason.empty()) return reason;
   for (auto* const step : {lower_materials, lower_effects, lower_lights, lower_geometry})
     if (auto reason = step(lowered, capabilities); !reason.empty()) return reason;

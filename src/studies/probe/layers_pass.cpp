@@ -75,12 +75,13 @@ PixelValues values_of_pixel(const scene::Scene& scene,
   constexpr VisibilityGrid kGrid{};
   const double step = (1 + 2 * kGrid.margin_px) / (kGrid.per_side - 1);
   PixelValues pixel;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const double x = at.x - kGrid.margin_px + step * static_cast<double>(k % kGrid.per_side);
-    const double y = at.y - kGrid.margin_px + step * static_cast<double>(k / kGrid.per_side);
-    const auto ray = scene::camera_ray(scene.camera, frame, x, y);
-    add(pixel, values_of(points[k], ray.origin_m, ray.direction));
-  }
+  std::size_t k = 0;
+  for (int row = 0; row < kGrid.per_side; ++row)
+    for (int column = 0; column < kGrid.per_side; ++column) {
+      const auto ray = scene::camera_ray(scene.camera, frame, at.x - kGrid.margin_px + step * column,
+                                         at.y - kGrid.margin_px + step * row);
+      add(pixel, values_of(points[k++], ray.origin_m, ray.direction));
+    }
   return pixel;
 }
 
@@ -96,7 +97,8 @@ image::Image visible_layers(const ProbeScene& probe, const std::vector<VisibleSu
   const auto& camera = probe.scene.camera;
   auto out = image::make_image(camera.width_px, camera.height_px, names);
   const auto frame = scene::camera_frame(camera);
-  const auto each = static_cast<std::size_t>(kGrid.per_side * kGrid.per_side);
+  const auto side = static_cast<std::size_t>(kGrid.per_side);
+  const std::size_t each = side * side;
   for (int y = 0; y < out.height; ++y)
     for (int x = 0; x < out.width; ++x) {
       const auto index =

@@ -81,6 +81,12 @@ TEST(LowerMaterials, EachModelNeedsItsRequirement) {
   special.textures[0] = {"t", "/t.png", Wrap::Repeat, Wrap::Clamp, Filter::Nearest};
   EXPECT_EQ(reason_of(special, {"N5"}),
             "material 'm' has a texture that is not interpolated, which needs N5");
+  auto hidden = triangle_with(Lambert{});
+  hidden.environment.visible_to_camera = false;
+  EXPECT_EQ(reason_of(hidden, {"D6"}), "the camera does not see the environment, which needs D6");
+  auto layered = triangle_with(Lambert{});
+  layered.outputs.layers = {"depth"};
+  EXPECT_EQ(reason_of(layered, {"V1"}), "the image holds the layer 'depth', which needs V1");
   EXPECT_EQ(reason_of(triangle_with(Emission{{}, TextureUse{}}), {"M6"}),
             "material 'm' has a texture, which needs M6");
   EXPECT_EQ(reason_of(triangle_with(OrenNayar{{}, 0.5, {}}), {"M7"}),
