@@ -272,6 +272,7 @@ namespace {
 bool leave_out_of_scene(Effect effect, Scene& scene) {
   if (effect == Effect::Motion) scene = at_time(scene, scene.camera.shutter.open);
   if (effect == Effect::EnvironmentMap) scene.environment.map.reset();
+  if (effect == Effect::SurfaceLayers) scene.outputs.layers.clear();
   for (auto& [name, model, detail] : scene.materials) {
     if (effect == Effect::Opacity) {
       detail.opacity = 1;
@@ -283,7 +284,7 @@ bool leave_out_of_scene(Effect effect, Scene& scene) {
     }
   }
   return effect == Effect::Motion || effect == Effect::EnvironmentMap || effect == Effect::Opacity ||
-         effect == Effect::TurnedNormals;
+         effect == Effect::TurnedNormals || effect == Effect::SurfaceLayers;
 }
 
 }  // namespace

@@ -53,6 +53,7 @@ TEST(WithoutEffect, ASceneThatHasLostItCallsForItNoMore) {
       {"appearance/e5_iridescence/iridescent_spheres_height", Effect::ThinFilm},
       {"everyday/n3_opacity/n3-mask", Effect::Opacity},
       {"everyday/n1_normal_map/n1-right", Effect::TurnedNormals},
+      {"everyday/v1_layers/v1-room", Effect::SurfaceLayers},
       {"everyday/d5_environment_map/d5-studio", Effect::EnvironmentMap}};
   for (const auto& [name, effect] : scenes) {
     auto scene = case_scene(name);
