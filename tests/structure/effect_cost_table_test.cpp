@@ -41,6 +41,10 @@ constexpr std::array kLines{
     Line{"orbs", "110", "rgb", "spectral"},
     Line{"orbs", "g2-camera-defaults", "rgb", "polarised-bispectral"},
     Line{"orbs", "123-blue", "rgb", "spectral"},
+    Line{"everyday", "n3-mask", "rgb", "without opacity"},
+    Line{"everyday", "n1-right", "rgb", "without turned normals"},
+    Line{"everyday", "d5-court", "rgb", "without environment map"},
+    Line{"everyday", "v1-room", "rgb", "without layers of the surface"},
 };
 
 std::filesystem::path file_of(const std::string& suite) {
@@ -73,7 +77,7 @@ std::string conditions(const std::string& suite) {
 
 TEST(EffectCostTable, ThePageShowsTheCommittedFiles) {
   std::string text =
-      conditions("appearance") + conditions("orbs") +
+      conditions("appearance") + conditions("orbs") + conditions("everyday") +
       "\n| scene | calls for | instead | time × | to equal noise × | image |\n|---|---|---|---|---|---|\n";
   for (const auto& line : kLines) text += row(line);
   const auto page = std::filesystem::path(ORBS_SOURCE_DIR) / "docs/understand/effects.md";
@@ -82,7 +86,7 @@ TEST(EffectCostTable, ThePageShowsTheCommittedFiles) {
 
 // A file that was measured beside other work, or whose scenes differ from themselves, is not published.
 TEST(EffectCostTable, TheCommittedFilesAreOfASteadyMachine) {
-  for (const char* suite : {"appearance", "orbs"}) {
+  for (const char* suite : {"appearance", "orbs", "everyday"}) {
     const auto study = *orbs::results::read_effect_study(file_of(suite));
     EXPECT_LE(study.self_low.value_or(2), 1) << suite;
     EXPECT_GE(study.self_high.value_or(0), 1) << suite;
