@@ -1,7 +1,7 @@
 #include "adapters/material_meshes.h"
 
-#include "adapters/uv_frames.h"
 #include "base/nth.h"
+#include "scene/geometry/uv_frames.h"
 #include "scene/lower/geometry.h"
 #include "scene/lower/lower.h"
 
@@ -99,25 +99,25 @@ void drop_triangles_without_area(scene::Mesh& mesh) {
 namespace {
 
 // The parts of a blend included. What turns with the coordinates u and v turns with the first ones.
-std::set<int> uv_sets(const scene::Scene& scene, int index) {
+std::set<int> uv_sets_of(const scene::Scene& scene, int index) {
   const scene::Material& material = material_at(scene, index);
   std::set<int> sets;
   for (const scene::TextureUse& use : texture_uses(material)) sets.insert(use.uv_set);
   if (std::holds_alternative<scene::AnisotropicGgx>(material.model)) sets.insert(0);
   if (const auto* blend = std::get_if<scene::Blend>(&material.model))
-    for (const auto& part : blend->parts) sets.merge(uv_sets(scene, part.material));
+    for (const auto& part : blend->parts) sets.merge(uv_sets_of(scene, part.material));
   return sets;
 }
 
 }  // namespace
 
 std::string uv_set_limit(const scene::Scene& scene, int material, const char* renderer) {
-  if (uv_sets(scene, material).size() < 2) return "";
+  if (uv_sets_of(scene, material).size() < 2) return "";
   return fmt::format("material '{}' looks textures up at both sets of texture coordinates: {} has one",
                      material_at(scene, material).name, renderer);
 }
 
-std::vector<MaterialMesh> material_meshes(const scene::Scene& scene) {
+std::vector<MaterialMesh> material_meshes(const scene::Scene& scene, UvSets uv_sets) {
   scene::Scene split = scene;
   scene::bake_texture_matrices(split);
   scene::split_by_material(split);
@@ -128,8 +128,10 @@ std::vector<MaterialMesh> material_meshes(const scene::Scene& scene) {
     meshes[i].mesh = std::move(split.meshes[i]);
     if (!meshes[i].mesh.triangle_materials.empty()) meshes[i].material = meshes[i].mesh.triangle_materials[0];
     scene::Mesh& mesh = meshes[i].mesh;
-    if (uv_sets(scene, meshes[i].material) == std::set{1}) mesh.uvs = mesh.second_uvs;
-    mesh.second_uvs.clear();
+    if (uv_sets == UvSets::One) {
+      if (uv_sets_of(scene, meshes[i].material) == std::set{1}) mesh.uvs = mesh.second_uvs;
+      mesh.second_uvs.clear();
+    }
     drop_triangles_without_area(mesh);
   }
   std::erase_if(meshes,
@@ -143,8 +145,8 @@ scene::Mesh with_triangles(const scene::Mesh& mesh, bool is_mirrored) {
   scene::Mesh part = mesh;
   part.triangles.clear();
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const auto frame = uv_frame(mesh, i);
-    if ((frame && adapters::is_mirrored(*frame)) == is_mirrored) part.triangles.push_back(mesh.triangles[i]);
+    const auto frame = scene::uv_frame(mesh, i);
+    if ((frame && scene::is_mirrored(*frame)) == is_mirrored) part.triangles.push_back(mesh.triangles[i]);
   }
   part.triangle_materials.resize(part.triangles.size());
   return part;

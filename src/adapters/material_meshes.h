@@ -30,11 +30,14 @@ struct MaterialMesh {
   bool is_mirrored = false;
 };
 
+/// What a renderer has of texture coordinates: one set for each mesh, or both of ours.
+enum class UvSets { One, Both };
+
 /// The visible surfaces of a scene for renderers that give one material to a whole mesh and apply no texture
 /// matrices: remap lists are resolved, and texture matrices are applied to the coordinates. Instances with
-/// the same mesh and materials share a MaterialMesh. The texture coordinates are those that the textures of
-/// the material are looked up at (uv_set_limit); there are no second ones.
-std::vector<MaterialMesh> material_meshes(const scene::Scene& scene);
+/// the same mesh and materials share a MaterialMesh. Where there is one set of texture coordinates, it is the
+/// one that the textures of the material are looked up at (uv_set_limit).
+std::vector<MaterialMesh> material_meshes(const scene::Scene& scene, UvSets uv_sets = UvSets::One);
 
 /// Those with a normal map split, so that in each of them v grows to one side, of which `is_mirrored` tells:
 /// for renderers that take normal x u for the direction of v.

@@ -2,6 +2,7 @@
 
 #include "importer/gltf_material.h"
 #include "importer/materials.h"
+#include "scene/geometry/uv_frames.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,10 +84,40 @@ scene::RgbColour mean_colour(Import& import, const tinygltf::Primitive& primitiv
   return sum / static_cast<double>(colours.count);
 }
 
-// Ours follow from the coordinates of each triangle; those of a file were smoothed.
-void name_tangents(Import& import, const tinygltf::Primitive& primitive, const std::string& where) {
-  if (material_at(import, primitive.material).normalTexture.index >= 0 &&
-      primitive.attributes.contains("TANGENT"))
+// Whether the tangents of the last vertices are those of the triangles' coordinates, as ours are. A
+// difference below this turns normals by no more.
+bool follow_coordinates(const scene::Mesh& mesh,
+                        std::size_t first_triangle,
+                        std::size_t first_vertex,
+                        const std::vector<double>& sides,
+                        int uv_set) {
+  constexpr double kMost_rad = 1e-3;
+  for (std::size_t i = first_triangle; i < mesh.triangles.size(); ++i) {
+    const auto frame = scene::uv_frame(mesh, i, uv_set);
+    if (!frame) continue;
+    for (const auto corner : mesh.triangles[i]) {
+      const auto ours = tangent_across(*frame, normalised(cast<double>(mesh.normals[corner])));
+      if (!ours) continue;
+      const bool has_other_side = (sides[corner - first_vertex] < 0) != scene::is_mirrored(*frame);
+      if (has_other_side || !(length(cast<double>(mesh.tangents[corner]) - *ours) <= kMost_rad)) return false;
+    }
+  }
+  return true;
+}
+
+// 3.7.2.1 of the specification: those of a primitive without normals are to be ignored.
+void name_tangents(Import& import,
+                   const tinygltf::Primitive& primitive,
+                   const std::string& where,
+                   const Vertices& vertices,
+                   const scene::Mesh& mesh,
+                   std::size_t first_triangle) {
+  if (material_at(import, primitive.material).normalTexture.index < 0 ||
+      !primitive.attributes.contains("NORMAL") || !primitive.attributes.contains("TANGENT"))
+    return;
+  const std::size_t first_vertex = mesh.positions.size() - vertices.positions.size();
+  const int uv_set = second_coordinates(import, primitive.material) ? 1 : 0;
+  if (!follow_coordinates(mesh, first_triangle, first_vertex, vertices.tangent_sides, uv_set))
     import.report.not_understood("tangents under normal maps",
                                  "those of the texture coordinates of each triangle", where);
 }
@@ -146,7 +177,6 @@ void Meshes::add_primitive(const tinygltf::Primitive& primitive,
   const UvSets sets{colour_set, map ? map->coordinates() : colour_set,
                     second_coordinates(*import_, primitive.material)};
   auto vertices = read_vertices(source, primitive, pose, sets, where);
-  name_tangents(*import_, primitive, where);
   auto triangles = read_triangles(source, primitive, vertices.positions.size(), where);
   if (vertices.normals.empty())
     make_flat(vertices, triangles);
@@ -169,6 +199,7 @@ void Meshes::add_primitive(const tinygltf::Primitive& primitive,
   }
   for (const Triangle& t : triangles)
     mesh.triangles.push_back({t[0] + first_vertex, t[1] + first_vertex, t[2] + first_vertex});
+  name_tangents(*import_, primitive, where, vertices, mesh, mesh.triangles.size() - triangles.size());
   add_materials(primitive, where, vertices.map_uvs, mesh);
 }
 

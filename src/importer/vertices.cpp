@@ -141,6 +141,9 @@ Vertices read_vertices(const Source& source,
   const auto tangents = attribute(source, primitive.attributes, "TANGENT", 4, positions.count, where);
   for (std::size_t i = 0; tangents && i < positions.count; ++i)
     if (const Vec3d tangent = vector_at(*tangents, i); is_finite(tangent)) vertices.tangents[i] = tangent;
+  vertices.tangent_sides.resize(positions.count, 1);
+  for (std::size_t i = 0; tangents && i < positions.count; ++i)
+    vertices.tangent_sides[i] = tangents->element(i)[3] < 0 ? -1 : 1;
   vertices.uvs = read_uvs(source, primitive, sets.colour, positions.count, where);
   vertices.map_uvs =
       sets.map == sets.colour ? vertices.uvs : read_uvs(source, primitive, sets.map, positions.count, where);

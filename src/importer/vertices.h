@@ -21,11 +21,12 @@ struct Pose {
 /// The vertices of a primitive as a mesh of ours has them.
 struct Vertices {
   std::vector<Vec3d> positions;
-  std::vector<Vec3d> normals;       // none where the file has none
-  std::vector<Vec3d> tangents;      // as many as positions; zero where the file has none
-  std::vector<Vec2f> uvs;           // of the colour texture
-  std::vector<Vec2f> map_uvs;       // of the texture of metal and roughness
-  std::vector<Vec2f> second_uvs{};  // of a normal map that has others than the colour; else none
+  std::vector<Vec3d> normals;           // none where the file has none
+  std::vector<Vec3d> tangents;          // as many as positions; zero where the file has none
+  std::vector<double> tangent_sides{};  // as many; -1 where v grows away from normal x tangent, else 1
+  std::vector<Vec2f> uvs;               // of the colour texture
+  std::vector<Vec2f> map_uvs;           // of the texture of metal and roughness
+  std::vector<Vec2f> second_uvs{};      // of a normal map that has others than the colour; else none
 };
 
 /// Which of the sets of coordinates the textures use.

@@ -27,7 +27,7 @@ writeFileSync(
         name: "reader",
         executable: "no-program",
         scene_format: "gltf",
-        declares: "G5/M8-(7)/L3/A4",
+        declares: "G5/M8-(7)/L3/A4/B7-(1-6)/C2-(1)/D3-(2)/N6-(2,3)",
         command: ["{executable}", "{scene}", "{output}"],
       },
     ],

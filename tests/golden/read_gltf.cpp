@@ -72,6 +72,10 @@ std::vector<Vec3f> read_vec3(const GltfFile& file, int accessor) {
   return elements<Vec3f>(file, accessor, "VEC3", 5126);
 }
 
+std::vector<std::array<float, 4>> read_vec4(const GltfFile& file, int accessor) {
+  return elements<std::array<float, 4>>(file, accessor, "VEC4", 5126);
+}
+
 std::vector<Vec2f> read_vec2(const GltfFile& file, int accessor) {
   return elements<Vec2f>(file, accessor, "VEC2", 5126);
 }

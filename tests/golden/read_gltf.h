@@ -4,6 +4,7 @@
 #include "golden/read_back.h"
 #include "scene/scene.h"
 
+#include <array>
 #include <filesystem>
 #include <string>
 
@@ -23,6 +24,7 @@ GltfFile read_glb(const std::filesystem::path& file);
 /// Arrays of an accessor. Throws std::runtime_error when it does not lie within its view and the buffer, is
 /// not aligned, or has another type.
 std::vector<Vec3f> read_vec3(const GltfFile& file, int accessor);
+std::vector<std::array<float, 4>> read_vec4(const GltfFile& file, int accessor);
 std::vector<Vec2f> read_vec2(const GltfFile& file, int accessor);
 std::vector<std::uint32_t> read_indices(const GltfFile& file, int accessor);
 

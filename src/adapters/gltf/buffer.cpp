@@ -55,6 +55,11 @@ int add_normals(Buffer& buffer, const std::vector<Vec3f>& normals) {
                       {add_view(buffer, bytes_of(normals), kVertices), kFloat, "VEC3", normals.size()});
 }
 
+int add_tangents(Buffer& buffer, const std::vector<std::array<float, 4>>& tangents) {
+  return add_accessor(buffer,
+                      {add_view(buffer, bytes_of(tangents), kVertices), kFloat, "VEC4", tangents.size()});
+}
+
 int add_uvs(Buffer& buffer, const std::vector<Vec2f>& uvs) {
   static_assert(sizeof(Vec2f) == 8);
   return add_accessor(buffer, {add_view(buffer, bytes_of(uvs), kVertices), kFloat, "VEC2", uvs.size()});

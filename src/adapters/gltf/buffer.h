@@ -46,6 +46,7 @@ struct Buffer {
 /// Each adds an array and returns the index of its accessor. Arrays have at least one element.
 int add_positions(Buffer& buffer, const std::vector<Vec3f>& positions);
 int add_normals(Buffer& buffer, const std::vector<Vec3f>& normals);
+int add_tangents(Buffer& buffer, const std::vector<std::array<float, 4>>& tangents);
 int add_uvs(Buffer& buffer, const std::vector<Vec2f>& uvs);
 int add_triangles(Buffer& buffer, const std::vector<std::array<std::uint32_t, 3>>& triangles);
 

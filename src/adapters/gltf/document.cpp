@@ -10,6 +10,8 @@
 #include <numbers>
 #include <set>
 
+#include <fmt/format.h>
+
 namespace orbs::adapters::gltf {
 
 namespace {
@@ -32,8 +34,10 @@ const Extensions& required_extensions() {
   return kRequired;
 }
 
-void write_texture_info(Writer& out, const char* key, const TextureInfo& info, Extensions& used) {
+// The object stays open for what a kind of texture has beside.
+void begin_texture_info(Writer& out, const char* key, const TextureInfo& info, Extensions& used) {
   out.key(key).begin_object().member("index", info.texture);
+  if (info.uv_set != 0) out.member("texCoord", info.uv_set);
   if (info.transform) {
     used.insert("KHR_texture_transform");
     out.key("extensions").begin_object().key("KHR_texture_transform").begin_object();
@@ -42,6 +46,10 @@ void write_texture_info(Writer& out, const char* key, const TextureInfo& info, E
     out.key("scale").numbers(info.transform->scale);
     out.end_object().end_object();
   }
+}
+
+void write_texture_info(Writer& out, const char* key, const TextureInfo& info, Extensions& used) {
+  begin_texture_info(out, key, info, used);
   out.end_object();
 }
 
@@ -81,6 +89,11 @@ void write_material(Writer& out, const Material& material, Extensions& used) {
     out.key("emissiveFactor").numbers(std::array{r / strength, g / strength, b / strength});
     if (material.texture) write_texture_info(out, "emissiveTexture", *material.texture, used);
   }
+  if (material.normals) {
+    begin_texture_info(out, "normalTexture", material.normals->info, used);
+    if (material.normals->scale != 1) out.member("scale", material.normals->scale);
+    out.end_object();
+  }
   // Glass shows both sides of itself anyway.
   if (!surface.is_glass) out.member("doubleSided", true);
   if (strength != 1 || surface.ior || surface.specular != 1 || surface.is_glass) {
@@ -95,7 +108,9 @@ void write_mesh(Writer& out, const Mesh& mesh) {
   out.begin_object().member("name", mesh.name).key("primitives").begin_array().begin_object();
   out.key("attributes").begin_object();
   out.member("POSITION", mesh.positions).member("NORMAL", mesh.normals);
-  if (mesh.uvs) out.member("TEXCOORD_0", *mesh.uvs);
+  if (mesh.tangents) out.member("TANGENT", *mesh.tangents);
+  for (std::size_t set = 0; set < mesh.uvs.size(); ++set)
+    out.member(fmt::format("TEXCOORD_{}", set), mesh.uvs[set]);
   out.end_object().member("indices", mesh.triangles).member("material", mesh.material);
   out.end_object().end_array().end_object();
 }

@@ -14,20 +14,28 @@ namespace orbs::adapters::gltf {
 
 struct TextureInfo {
   int texture = 0;
+  int uv_set = 0;
   std::optional<TextureTransform> transform{};
+};
+
+struct NormalTexture {
+  TextureInfo info{};
+  double scale = 1;
 };
 
 struct Material {
   std::string name;
   Surface surface{};
   std::optional<TextureInfo> texture{};  // of what shines, or else of the base colour
+  std::optional<NormalTexture> normals{};
 };
 
 struct Mesh {
   std::string name;
   int positions = 0;  // accessors
   int normals = 0;
-  std::optional<int> uvs{};
+  std::optional<int> tangents{};
+  std::vector<int> uvs{};  // a set each
   int triangles = 0;
   int material = 0;
 };

@@ -13,6 +13,7 @@
 #include "scene/geometry/world_bounds.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -36,42 +37,77 @@ double reach_m(const scene::Scene& scene) {
   return std::max(1.0, 2 * radius_of(joined(*bounds, {eye, eye})));
 }
 
-// Each material that is shown, with its texture; the indices of the scene's materials go to those of the
+// The texture's place in the file, to which it is added when it is not there.
+int texture_place(Document& document, const scene::Scene& scene, int texture, std::map<int, int>& places) {
+  const auto [place, is_new] = places.try_emplace(texture, static_cast<int>(document.textures.size()));
+  const scene::Texture& given = nth(scene.textures, texture);
+  if (is_new)
+    document.textures.push_back({given.name, add_file(document.buffer, gltf::texture_png(given)),
+                                 given.wrap_u, given.wrap_v, given.filter});
+  return place->second;
+}
+
+// Each material that is shown, with its textures; the indices of the scene's materials go to those of the
 // file.
 std::map<int, int> add_materials(Document& document,
                                  const scene::Scene& scene,
-                                 const std::map<int, gltf::TextureTransform>& transforms) {
+                                 const std::map<int, gltf::TextureTransforms>& taken) {
   std::map<int, int> textures;
   std::map<int, int> places;
   for (const int index : scene::visible_materials(scene)) {
     const scene::Material& material = material_at(scene, index);
-    gltf::Material written{material.name, gltf::surface_of(material), {}};
-    if (const auto& use = scene::texture_of(material.model)) {
-      const auto [place, is_new] =
-          textures.try_emplace(use->texture, static_cast<int>(document.textures.size()));
-      const scene::Texture& texture = texture_at(scene, *use);
-      if (is_new)
-        document.textures.push_back({texture.name, add_file(document.buffer, gltf::texture_png(texture)),
-                                     texture.wrap_u, texture.wrap_v, texture.filter});
-      written.texture = gltf::TextureInfo{place->second};
-      if (const auto found = transforms.find(index); found != transforms.end())
-        written.texture->transform = found->second;
-    }
+    const auto found = taken.find(index);
+    const auto transforms = found == taken.end() ? gltf::TextureTransforms{} : found->second;
+    gltf::Material written{material.name, gltf::surface_of(material), {}, {}};
+    if (const auto& use = scene::texture_of(material.model))
+      written.texture = {texture_place(document, scene, use->texture, textures), use->uv_set,
+                         transforms.colour};
+    if (const auto& map = material.detail.normal_map)
+      written.normals = {{texture_place(document, scene, map->texture.texture, textures), map->texture.uv_set,
+                          transforms.normals},
+                         map->strength};
     places[index] = static_cast<int>(document.materials.size());
     document.materials.push_back(std::move(written));
   }
   return places;
 }
 
+// glTF numbers the sets without gaps.
+std::vector<int> add_uv_sets(Document& document,
+                             const gltf::Vertices& vertices,
+                             const gltf::Material& shown) {
+  const int colour_set = shown.texture ? shown.texture->uv_set : -1;
+  const int normal_set = shown.normals ? shown.normals->info.uv_set : -1;
+  std::vector<int> sets;
+  if (std::max(colour_set, normal_set) >= 0) sets.push_back(add_uvs(document.buffer, vertices.uvs));
+  if (std::max(colour_set, normal_set) == 1) sets.push_back(add_uvs(document.buffer, vertices.second_uvs));
+  return sets;
+}
+
 int add_mesh(Document& document, const scene::Mesh& mesh, int material) {
-  const gltf::Vertices vertices = gltf::vertices_of(mesh);
+  const gltf::Material& shown = nth(document.materials, material);
+  const gltf::Vertices vertices = shown.normals
+                                      ? gltf::vertices_with_tangents(mesh, shown.normals->info.uv_set)
+                                      : gltf::vertices_of(mesh);
   gltf::Mesh written{.name = mesh.name, .material = material};
   written.positions = add_positions(document.buffer, vertices.positions);
   written.normals = add_normals(document.buffer, vertices.normals);
-  if (nth(document.materials, material).texture) written.uvs = add_uvs(document.buffer, vertices.uvs);
+  if (shown.normals) written.tangents = add_tangents(document.buffer, vertices.tangents);
+  written.uvs = add_uv_sets(document, vertices, shown);
   written.triangles = add_triangles(document.buffer, vertices.triangles);
   document.meshes.push_back(std::move(written));
   return static_cast<int>(document.meshes.size()) - 1;
+}
+
+// A node that stretches its axes unlike leaves open whether normals are turned before or after, so that a
+// mesh with a normal map is stretched in the file.
+bool may_share(const gltf::Placement& placement, const gltf::Material& material) {
+  if (!material.normals) return true;
+  // What lengths of turned axes lose by rounding.
+  constexpr double kRounding = 1e-12;
+  const auto [x, y, z] = placement.scale;
+  const double size = std::abs(x);
+  return std::abs(std::abs(y) - size) <= kRounding * size && std::abs(std::abs(z) - size) <= kRounding * size;
 }
 
 // All instances whose axes are at right angles share one mesh; each other one gets its own, which holds all
@@ -79,7 +115,8 @@ int add_mesh(Document& document, const scene::Mesh& mesh, int material) {
 void add_nodes(Document& document, const MaterialMesh& shown, int material) {
   std::optional<int> shared;
   for (const Mat4& place : shown.places) {
-    if (const auto placement = gltf::placement_of(place)) {
+    const auto placement = gltf::placement_of(place);
+    if (placement && may_share(*placement, nth(document.materials, material))) {
       if (!shared) shared = add_mesh(document, shown.mesh, material);
       document.nodes.push_back({shown.mesh.name, *placement, *shared});
       continue;
@@ -120,7 +157,7 @@ Document document_of(const scene::Scene& scene) {
                     .far_m = reach,
                     .trace_depth = scene.trace_depth};
   const auto materials = add_materials(document, shown, transforms);
-  for (const MaterialMesh& mesh : material_meshes(shown))
+  for (const MaterialMesh& mesh : material_meshes(shown, UvSets::Both))
     add_nodes(document, mesh, materials.at(mesh.material));
   add_lights(document, shown.lights);
   return document;
@@ -154,18 +191,40 @@ std::string unsaid_of_light(const scene::Light& light, const std::string& displa
 
 }  // namespace
 
+namespace {
+
+std::string tangents_limit(const scene::Scene& scene, const MaterialMesh& shown) {
+  const scene::Material& material = material_at(scene, shown.material);
+  const auto& map = material.detail.normal_map;
+  if (!map || gltf::has_tangents(shown.mesh, map->texture.uv_set)) return "";
+  return fmt::format(
+      "mesh '{}' has a triangle whose texture coordinates lie on one line below the normal map of '{}': "
+      "glTF must have tangents there",
+      shown.mesh.name, material.name);
+}
+
+}  // namespace
+
 std::vector<std::string> gltf_limits(const scene::Scene& scene) {
   std::vector<std::string> reasons = beyond_orbs_limits(scene, "glTF", gltf::beyond_orbs());
   const auto note = [&](const std::string& reason) {
     if (!reason.empty()) reasons.push_back(reason);
   };
-  std::set<int> textures;
+  std::set<int> colours;
+  std::set<int> normals;
   for (const int index : scene::visible_materials(scene)) {
     const scene::Material& material = material_at(scene, index);
     note(gltf::material_limit(material));
-    if (const auto& use = scene::texture_of(material.model)) textures.insert(use->texture);
+    note(gltf::texture_matrices_limit(material));
+    if (const auto& use = scene::texture_of(material.model)) colours.insert(use->texture);
+    if (const auto& map = material.detail.normal_map) normals.insert(map->texture.texture);
   }
-  for (const int index : textures) note(gltf::texture_limit(nth(scene.textures, index)));
+  for (const int index : colours)
+    note(gltf::texture_limit(nth(scene.textures, index), gltf::TexelsOf::Colours));
+  for (const int index : normals)
+    note(gltf::texture_limit(nth(scene.textures, index), gltf::TexelsOf::Numbers));
+  if (!normals.empty())
+    for (const MaterialMesh& shown : material_meshes(scene, UvSets::Both)) note(tangents_limit(scene, shown));
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     note(unsaid_of_light(scene.lights[i], scene::display_name("light", scene.lights[i].name, i)));
   return reasons;

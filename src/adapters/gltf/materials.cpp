@@ -79,7 +79,7 @@ struct SurfaceWriter {
 
 const BeyondOrbs& beyond_orbs() {
   static const BeyondOrbs kLevels{
-      {"B7", "C2", "D1", "D3", "N4", "N5"},
+      {"B7", "C2", "D1", "D3", "N1", "N4", "N5", "N6"},
       {{"B1", "glTF's metals are masked by the separable term"},
        {"B2", "glTF's anisotropy is an extension that readers rarely have (KHR_materials_anisotropy)"},
        {"B3", "glTF squares the roughness of each texel before it filters"},
@@ -105,7 +105,6 @@ const BeyondOrbs& beyond_orbs() {
        {"E6", "glTF's dispersion is one number of Abbe for three colours (KHR_materials_dispersion)"},
        {"N2", "glTF has normal maps and no heights"},
        {"N3", "the alpha of glTF blends or cuts what is drawn; the specification says nothing of shadows"},
-       {"N6", "the exporter writes one texture for each material, at the first coordinates"},
        {"S7", "a plug-in is machine code for the built-in tracer"},
        {"T1", "glTF's animations turn by angles, and it has no shutter"},
        {"T2", "glTF has morph targets and no shutter"},

@@ -1,6 +1,7 @@
 #include "adapters/gltf/textures.h"
 
 #include "image/image_io.h"
+#include "scene/lower/lower.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +23,8 @@ bool has_eight_bits(const image::Image& image) {
 
 }  // namespace
 
-std::string texture_limit(const scene::Texture& texture) {
-  if (texture.encoding == scene::Encoding::Linear)
+std::string texture_limit(const scene::Texture& texture, TexelsOf texels) {
+  if (texels == TexelsOf::Colours && texture.encoding == scene::Encoding::Linear)
     return fmt::format("texture '{}' holds colours as plain numbers: those of glTF are sRGB", texture.name);
   if (image::is_float_format(texture.file))
     return fmt::format("texture '{}' holds floats: glTF's images have 8 bits", texture.name);
@@ -40,22 +41,48 @@ std::string texture_png(const scene::Texture& texture) {
   return image::png_bytes(colours);
 }
 
-std::map<int, TextureTransform> take_texture_transforms(scene::Scene& scene) {
-  std::map<int, TextureTransform> transforms;
-  const auto take = [&](int index, std::optional<scene::TextureUse>& use) {
-    if (!use || use->matrix == Mat4{}) return;
-    const auto transform = texture_transform_of(use->matrix);
-    if (!transform) return;
-    transforms[index] = *transform;
-    use->matrix = {};
-  };
-  for (std::size_t i = 0; i < scene.materials.size(); ++i)
-    std::visit(
-        [&](auto& model) {
-          if constexpr (requires { model.texture; }) take(static_cast<int>(i), model.texture);
-        },
-        scene.materials[i].model);
-  return transforms;
+namespace {
+
+// The uses of a material that is written, each with the place for its transform.
+template <typename Material, typename Do>
+void for_each_use(Material& material, TextureTransforms& transforms, const Do& visit) {
+  std::visit(
+      [&](auto& model) {
+        if constexpr (requires { model.texture; })
+          if (model.texture) visit(*model.texture, transforms.colour);
+      },
+      material.model);
+  if (material.detail.normal_map) visit(material.detail.normal_map->texture, transforms.normals);
+}
+
+// Nothing where the extension cannot say them all.
+std::optional<TextureTransforms> transforms_of(const scene::Material& material) {
+  TextureTransforms transforms;
+  bool can_say_all = true;
+  for_each_use(material, transforms, [&](const scene::TextureUse& use, auto& transform) {
+    if (use.matrix == Mat4{}) return;
+    transform = texture_transform_of(use.matrix);
+    can_say_all = can_say_all && transform;
+  });
+  return can_say_all ? std::optional(transforms) : std::nullopt;
+}
+
+}  // namespace
+
+std::map<int, TextureTransforms> take_texture_transforms(scene::Scene& scene) {
+  std::map<int, TextureTransforms> taken;
+  for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+    auto transforms = transforms_of(scene.materials[i]);
+    if (!transforms) continue;
+    for_each_use(scene.materials[i], *transforms,
+                 [](scene::TextureUse& use, const auto&) { use.matrix = {}; });
+    taken[static_cast<int>(i)] = *transforms;
+  }
+  return taken;
+}
+
+std::string texture_matrices_limit(const scene::Material& material) {
+  return transforms_of(material) ? "" : scene::texture_matrices_problem(material);
 }
 
 }  // namespace orbs::adapters::gltf

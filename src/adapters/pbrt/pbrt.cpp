@@ -12,13 +12,13 @@
 #include "adapters/pbrt/profile_image.h"
 #include "adapters/pbrt/small_light.h"
 #include "adapters/tinted_image.h"
-#include "adapters/uv_frames.h"
 #include "base/files.h"
 #include "base/nth.h"
 #include "image/image_io.h"
 #include "scene/camera_frame.h"
 #include "scene/effects/effects.h"
 #include "scene/geometry/ply.h"
+#include "scene/geometry/uv_frames.h"
 #include "scene/lower/lower.h"
 
 #include <algorithm>

@@ -353,6 +353,21 @@ TEST(ImportedMaterial, OneSetOfCoordinatesIsTheFirst) {
   EXPECT_TRUE(imported.scene.meshes.at(0).second_uvs.empty());
 }
 
+// Those along the coordinates say no more than the coordinates do.
+TEST(ImportedMaterial, TangentsAreNamedWhereTheyAreNotThoseOfTheCoordinates) {
+  const auto names_tangents = [](const std::vector<float>& one, bool has_map) {
+    auto made = has_map ? with_material({{"normalTexture", {{"index", 0}}}}) : triangle();
+    std::vector<float> all;
+    for (int i = 0; i < 3; ++i) all.insert(all.end(), one.begin(), one.end());
+    made.json["meshes"][0]["primitives"][0]["attributes"]["TANGENT"] = made.add_floats(all, "VEC4");
+    return ImportFolder().import(made).names("tangents under normal maps");
+  };
+  EXPECT_FALSE(names_tangents({1, 0, 0, 1}, true));
+  EXPECT_TRUE(names_tangents({1, 0, 0, -1}, true)) << "v grows to the other side";
+  EXPECT_TRUE(names_tangents({0, 1, 0, 1}, true));
+  EXPECT_FALSE(names_tangents({0, 1, 0, 1}, false)) << "nothing asks for them";
+}
+
 // A row of black texels with these alphas, of 255.
 json alpha_texture(MadeGltf& made, const std::string& alphas) {
   constexpr int kRgba = 6;

@@ -20,7 +20,7 @@ scene::Scene prepared(const std::string& name) {
   registry::Renderer renderer;
   renderer.name = "reader";
   renderer.format.name = "gltf";
-  renderer.support.declares = registry::parse_features("G5/M8-(7)/L3/A4/B7-(1-6)/C2/D3-(2)/N5-(1-3)");
+  renderer.support.declares = registry::parse_features("G5/M8-(7)/L3/A4/B7-(1-6)/C2/D3-(2)/N6-(2,3)");
   const auto scene = scene::load_scene(fs::path(ORBS_SOURCE_DIR) / "data/cases" / (name + ".json"));
   auto ready = adapters::prepare_scene(renderer, scene);
   if (const auto* reason = std::get_if<std::string>(&ready)) ADD_FAILURE() << name << ": " << *reason;
@@ -87,7 +87,12 @@ INSTANTIATE_TEST_SUITE_P(Scenes,
                                          "everyday/c2_orthographic/c2-squares",
                                          "everyday/d1_point/d1-shadow",
                                          "everyday/d3_directional/d3-with-point",
+                                         "everyday/n1_normal_map/n1-above",
+                                         "everyday/n1_normal_map/n1-below",
                                          "everyday/n4_wrap/n4-turned",
-                                         "everyday/n5_filter/n5-nearest"));
+                                         "everyday/n5_filter/n5-nearest",
+                                         "everyday/n6_second_coordinates/n6-glow",
+                                         "everyday/n6_second_coordinates/n6-normals",
+                                         "everyday/n6_second_coordinates/n6-second"));
 
 }  // namespace

@@ -1,10 +1,11 @@
-#include "adapters/uv_frames.h"
+#include "scene/geometry/uv_frames.h"
 
 #include "base/matrix.h"
 
-namespace orbs::adapters {
+namespace orbs::scene {
 
-std::optional<UvFrame> uv_frame(const scene::Mesh& mesh, std::size_t triangle) {
+std::optional<UvFrame> uv_frame(const Mesh& mesh, std::size_t triangle, int uv_set) {
+  const auto& uvs = uv_set == 1 ? mesh.second_uvs : mesh.uvs;
   const auto& corners = mesh.triangles[triangle];
   const auto a = corners[0];
   const auto b = corners[1];
@@ -13,8 +14,7 @@ std::optional<UvFrame> uv_frame(const scene::Mesh& mesh, std::size_t triangle) {
     return cast<double>(mesh.positions[to]) - cast<double>(mesh.positions[a]);
   };
   const auto uv = [&](std::uint32_t to) {
-    return Vec2d{double{mesh.uvs[to].x} - double{mesh.uvs[a].x},
-                 double{mesh.uvs[to].y} - double{mesh.uvs[a].y}};
+    return Vec2d{double{uvs[to].x} - double{uvs[a].x}, double{uvs[to].y} - double{uvs[a].y}};
   };
   const Vec3d e1 = edge(b);
   const Vec3d e2 = edge(c);
@@ -31,7 +31,13 @@ std::optional<UvFrame> uv_frame(const scene::Mesh& mesh, std::size_t triangle) {
 
 bool is_mirrored(const UvFrame& frame) { return dot(cross(frame.normal, frame.per_u), frame.per_v) < 0; }
 
-bool has_square_frames(const scene::Mesh& mesh) {
+std::optional<Vec3d> tangent_across(const UvFrame& frame, Vec3d normal) {
+  const Vec3d across = frame.per_u - normal * dot(normal, frame.per_u);
+  const double size = length(across);
+  return size > 0 ? std::optional(across / size) : std::nullopt;
+}
+
+bool has_square_frames(const Mesh& mesh) {
   // So far off, slopes are wrong by as much, which changes no light by more. Float coordinates give 1e-6.
   constexpr double kMost = 1e-3;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -42,4 +48,4 @@ bool has_square_frames(const scene::Mesh& mesh) {
   return true;
 }
 
-}  // namespace orbs::adapters
+}  // namespace orbs::scene
