@@ -38,6 +38,12 @@ bool can_be_blended(const Material& material) {
   return !std::holds_alternative<Emission>(material.model) && !std::holds_alternative<Blend>(material.model);
 }
 
+void shift_materials(Shape& shape, int by) {
+  if (shape.material >= 0) shape.material += by;
+  if (auto* csg = std::get_if<CsgForm>(&shape.form))
+    for (Shape& operand : csg->operands) shift_materials(operand, by);
+}
+
 void shift_materials(Scene& scene, int by) {
   for (Mesh& mesh : scene.meshes)
     for (int& material : mesh.triangle_materials) material += by;
@@ -47,7 +53,7 @@ void shift_materials(Scene& scene, int by) {
       to += by;
     }
   for (Sphere& sphere : scene.spheres) sphere.material += by;
-  for (Shape& shape : scene.shapes) shape.material += by;
+  for (Shape& shape : scene.shapes) shift_materials(shape, by);
 }
 
 }  // namespace
@@ -91,22 +97,20 @@ void look_up_at_second(Material& material) {
   if (detail.bump_map) detail.bump_map->texture.uv_set = 1;
 }
 
-// Shapes by their formula have first coordinates alone.
-bool stays_on_a_shape(const Scene& scene, int index) {
-  const auto is_it = [&](const auto& shape) { return shape.material == index; };
-  return std::any_of(scene.spheres.begin(), scene.spheres.end(), is_it) ||
-         std::any_of(scene.shapes.begin(), scene.shapes.end(), is_it);
-}
-
 }  // namespace
 
 std::variant<Scene, std::string> with_second_coordinates(const Scene& scene) {
   for (const Mesh& mesh : scene.meshes)
     if (!mesh.second_uvs.empty()) return "it has second texture coordinates";
+  Scene shapes;  // by their formula have first coordinates alone
+  shapes.materials = scene.materials;
+  shapes.spheres = scene.spheres;
+  shapes.shapes = scene.shapes;
+  const auto on_shapes = visible_materials(shapes);
   Scene out = scene;
   bool is_any = false;
   for (const int index : visible_materials(scene)) {
-    if (texture_uses(material_at(scene, index)).empty() || stays_on_a_shape(scene, index)) continue;
+    if (texture_uses(material_at(scene, index)).empty() || on_shapes.contains(index)) continue;
     look_up_at_second(nth(out.materials, index));
     is_any = true;
   }
