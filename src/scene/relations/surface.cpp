@@ -5,7 +5,7 @@
 #include "scene/geometry/generators.h"
 #include "scene/geometry/world_bounds.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace orbs::scene {
 
@@ -38,6 +38,12 @@ bool can_be_blended(const Material& material) {
   return !std::holds_alternative<Emission>(material.model) && !std::holds_alternative<Blend>(material.model);
 }
 
+// The parts of a blend that is there already: indices stay those of the materials before.
+void name_parts_themselves(Material& material) {
+  if (auto* blend = std::get_if<Blend>(&material.model))
+    for (auto& part : blend->parts) part.name += " itself";
+}
+
 void shift_materials(Shape& shape, int by) {
   if (shape.material >= 0) shape.material += by;
   if (auto* csg = std::get_if<CsgForm>(&shape.form))
@@ -66,12 +72,15 @@ std::variant<Scene, std::string> with_blends_of_themselves(const Scene& scene) {
   Scene out = scene;
   out.materials.clear();
   bool is_any = false;
-  for (const Material& material : scene.materials)
-    out.materials.push_back({material.name + " itself", material.model, {}});
+  for (Material part : scene.materials) {
+    part.name += " itself";
+    part.detail = {};
+    name_parts_themselves(part);
+    out.materials.push_back(std::move(part));
+  }
   for (int i = 0; i < count; ++i) {
     Material& material = out.materials.emplace_back(material_at(scene, i));
-    if (auto* blend = std::get_if<Blend>(&material.model))
-      for (auto& part : blend->parts) part.name += " itself";
+    name_parts_themselves(material);
     if (!can_be_blended(material)) continue;
     const Blend::Part itself{material.name + " itself", i};
     material.model = Blend{{itself, itself}, kWeight, {}};
