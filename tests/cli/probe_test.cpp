@@ -98,3 +98,53 @@ TEST(ProbeCommand, ComparesTheLayersThatARendererHas) {
   EXPECT_EQ(answer.status, 0) << answer.text;
   EXPECT_NE(answer.text.find("layers depth, position, normal, uv in"), std::string::npos) << answer.text;
 }
+
+namespace {
+
+// Of the suite everyday: the tracer itself, one that looks all textures up at the first coordinates, and one
+// whose frames have no sign.
+std::string configuration_of_everyday() {
+  return R"({ "format": "orbs-configuration/1", "stands_alone": true,
+  "suites": [{ "name": "everyday", "cases": ")" ORBS_SOURCE_DIR R"(/data/cases/everyday",
+               "references": ")" ORBS_SOURCE_DIR R"(/data/references/everyday" }],
+  "renderers": [
+  { "name": "right", "executable": "{build}/orbs-tracer", "declares": "G5/M8/L4/A4/D6/N6",
+    "command": ["{executable}", "{scene}", "-o", "{output}", "--spp", "4"] },
+  { "name": "first-alone", "executable": "/bin/sh", "declares": "G5/M8/L4/A4/D6/N6",
+    "command": ["{executable}", "-c",
+                "sed -E 's/\"uv_set\": *1/\"uv_set\": 0/' \"$1\" > wrong.json && exec {build}/orbs-tracer wrong.json -o \"$2\" --spp 4",
+                "converter", "{scene}", "{output}"] },
+  { "name": "unsigned", "executable": "{build}/orbs-tracer", "declares": "G5/M8/L4/A4/D6/N6",
+    "command": ["{executable}", "{scene}", "-o", "{output}", "--spp", "4", "--fault", "frames-without-sign"] }] })";
+}
+
+std::string probed(const std::string& renderer, const std::string& scene, int status) {
+  const Sandbox sandbox;
+  sandbox.write("configuration.json", configuration_of_everyday());
+  const auto answer =
+      sandbox.orbs({"probe", "--suite", "everyday", "-r", renderer, "-s", scene, "--side", "64"});
+  EXPECT_EQ(answer.status, status) << answer.text;
+  return answer.text;
+}
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST(ProbeCommand, ComparesSecondTextureCoordinates) {
+  const auto right = probed("right", "n6-second", 0);
+  EXPECT_TRUE(has(right, ", second ones in ")) << right;
+  const auto wrong = probed("first-alone", "n6-second", 1);
+  EXPECT_TRUE(has(wrong, "second texture coordinates differ: instance 'wall'")) << wrong;
+}
+
+TEST(ProbeCommand, ComparesTheFramesOfNormalMaps) {
+  const auto right = probed("right", "n1-above", 0);
+  EXPECT_TRUE(has(right, ", frames of normal maps in ")) << right;
+  const auto wrong = probed("unsigned", "n1-above", 1);
+  EXPECT_TRUE(has(wrong, "frames of normal maps differ: ")) << wrong;
+  EXPECT_TRUE(has(wrong, "'mirrored'") && has(wrong, "'u mirrored'") && has(wrong, "v the other way"))
+      << wrong;
+  EXPECT_FALSE(has(wrong, "'plain'")) << wrong;
+  EXPECT_FALSE(has(probed("right", "d1-floor", 0), "frames")) << "nothing there follows them";
+}

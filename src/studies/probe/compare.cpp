@@ -69,7 +69,8 @@ double largest_difference(const Rgb& a, const Rgb& b) {
   return most;
 }
 
-// The object that all points of a pixel see; none if they see several.
+}  // namespace
+
 std::optional<int> only_object(std::span<const VisibleSurface> surfaces) {
   const auto differs = [&](const VisibleSurface& surface) {
     return surface.object != surfaces.front().object;
@@ -77,6 +78,8 @@ std::optional<int> only_object(std::span<const VisibleSurface> surfaces) {
   return std::any_of(surfaces.begin(), surfaces.end(), differs) ? std::nullopt
                                                                 : std::optional(surfaces.front().object);
 }
+
+namespace {
 
 // How far apart the two colours are that are most alike, those of the background and of all objects.
 double least_distance(const ProbeScene& probe) {
@@ -93,13 +96,6 @@ std::string shown(const ProbeScene& probe, const Rgb& colour, double tolerance) 
       return object == kNoObject ? "nothing" : nth(probe.objects, object).name;
   return kMixture;
 }
-
-// A pixel whose colour differs from that of the object that covers it.
-struct Suspect {
-  int object = kNoObject;  // the expected one
-  Pixel at;
-  std::string instead;
-};
 
 // Leaves and needles can be narrower than the spacing of the grid. If few pixels mismatch, they are tested
 // again with a spacing of 1/64 of a pixel, and those that show more than one object are dropped.
@@ -145,12 +141,16 @@ class Tally {
   std::map<int, OfObject> by_object_;
 };
 
+}  // namespace
+
 std::vector<Mismatch> mismatches_of(const ProbeScene& probe, std::vector<Suspect> suspects) {
   recheck_on_fine_grid(probe, suspects);
   Tally tally;
   for (const auto& suspect : suspects) tally.add(suspect);
   return tally.worst_first();
 }
+
+namespace {
 
 template <typename Look>
 void for_each_pixel(const image::Image& image, const std::vector<VisibleSurface>& surfaces, Look look) {

@@ -5,6 +5,7 @@
 #include "studies/probe/scene.h"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,20 @@ struct ProbeFindings {
   int cracks = 0;                        // single pixels that show something behind; not among the mismatches
   std::optional<double> needed_samples;  // so many times more, since noise hides what is compared
 };
+
+/// A pixel that does not show what covers it.
+struct Suspect {
+  int object = kNoObject;  // the expected one
+  Pixel at;
+  std::string instead;
+};
+
+/// By object, those of most pixels first. Where they are few, pixels that show several objects on a fine grid
+/// are left out.
+std::vector<Mismatch> mismatches_of(const ProbeScene& probe, std::vector<Suspect> suspects);
+
+/// The object that all points of a pixel see; none if they see several.
+std::optional<int> only_object(std::span<const VisibleSurface> points);
 
 /// Compares the image of the id pass. A pixel counts if all its points see the same object, because then a
 /// pixel filter no wider than one pixel can only give that object's colour. Both comparisons leave room for

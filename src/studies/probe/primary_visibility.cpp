@@ -3,6 +3,7 @@
 #include "base/nth.h"
 #include "base/parallel.h"
 #include "scene/camera_frame.h"
+#include "scene/geometry/uv_frames.h"
 
 #include <algorithm>
 #include <array>
@@ -22,6 +23,8 @@ struct TriangleSetup {
   std::array<Vec3d, 3> rows;  // in the camera's frame: right, up, forward
   std::array<Vec2f, 3> uvs;
   std::array<Vec3d, 3> normals;  // in the world
+  Vec3f along_u;
+  Vec3f along_v;
   int object = kNoObject;
   int first_row = 0;  // bounds of the pixels that it may touch
   int last_row = 0;
@@ -91,6 +94,10 @@ void add_instance(const scene::Scene& scene,
       setup.uvs[k] = mesh.uvs[index];
       setup.normals[k] = normalised(transform_normal(back, cast<double>(mesh.normals[index])));
     }
+    if (const auto directions = scene::uv_frame(mesh, t)) {
+      setup.along_u = cast<float>(transform_direction(instance.matrix, directions->per_u));
+      setup.along_v = cast<float>(transform_direction(instance.matrix, directions->per_v));
+    }
     const double volume = dot(v[0], cross(v[1], v[2]));
     if (volume == 0) continue;                                // no area, or seen exactly edge-on
     if (v[0].z <= 0 && v[1].z <= 0 && v[2].z <= 0) continue;  // behind the camera
@@ -126,9 +133,13 @@ void intersect_triangle(const TriangleSetup& triangle, Vec3d d, NearestHit& near
   };
   const auto& n = triangle.normals;
   nearest.inverse_distance = sum;
-  nearest.surface = {triangle.object, mix(triangle.uvs[0].x, triangle.uvs[1].x, triangle.uvs[2].x),
-                     mix(triangle.uvs[0].y, triangle.uvs[1].y, triangle.uvs[2].y), 1 / sum,
-                     cast<float>(normalised(n[0] * b0 + n[1] * b1 + n[2] * b2))};
+  nearest.surface = {triangle.object,
+                     mix(triangle.uvs[0].x, triangle.uvs[1].x, triangle.uvs[2].x),
+                     mix(triangle.uvs[0].y, triangle.uvs[1].y, triangle.uvs[2].y),
+                     1 / sum,
+                     cast<float>(normalised(n[0] * b0 + n[1] * b1 + n[2] * b2)),
+                     triangle.along_u,
+                     triangle.along_v};
 }
 
 void intersect_light(const LightSetup& light, Vec3d world_direction, NearestHit& nearest) {
@@ -137,7 +148,7 @@ void intersect_light(const LightSetup& light, Vec3d world_direction, NearestHit&
       std::visit([&](const auto& shape) { return scene::hit(shape, light.origin, d); }, light.light->shape);
   if (1 / hit.distance <= nearest.inverse_distance) return;
   nearest.inverse_distance = 1 / hit.distance;
-  nearest.surface = {hit.is_front ? light.object : kNoObject, 0, 0, hit.distance, {}};
+  nearest.surface = {hit.is_front ? light.object : kNoObject, 0, 0, hit.distance, {}, {}, {}};
 }
 
 // A scene prepared for visibility tests.

@@ -19,6 +19,8 @@ struct VisibleSurface {
   float v = 0;
   double depth_m = 0;  // along the axis; 0 of the background
   Vec3f normal;        // unit, of a mesh: interpolated, in the world, as the mesh has it
+  Vec3f along_u;       // how the point moves in the world with u and with v; 0 where they say nothing
+  Vec3f along_v;
 };
 
 /// A grid of points over each pixel; the outermost ones lie `margin_px` outside the pixel's edges.

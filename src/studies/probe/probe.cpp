@@ -8,7 +8,10 @@
 #include "metrics/seeds.h"
 #include "run/job_folder.h"
 #include "run/render.h"
+#include "studies/probe/frames_pass.h"
 #include "studies/probe/report.h"
+
+#include <algorithm>
 
 #include <fmt/format.h>
 
@@ -88,19 +91,67 @@ ProbeImage render_pass(const ProbeInputs& inputs,
 ProbeImage uv_pass(const ProbeInputs& inputs,
                    const run::ChosenRenderer& renderer,
                    const ProbeScene& probe,
-                   const std::vector<VisibleSurface>& surfaces) {
+                   const std::vector<VisibleSurface>& surfaces,
+                   int uv_set) {
   const auto file = inputs.scratch / "ramp.exr";
   const auto compared = [&](Ramp ramp) {
     return [&, ramp](const image::Image& image) { return compare_uv_pass(probe, surfaces, image, ramp); };
   };
-  auto taken =
-      render_pass(inputs, renderer, make_uv_pass(probe, file), Ramp::Emitted, compared(Ramp::Emitted));
+  auto taken = render_pass(inputs, renderer, make_uv_pass(probe, file, uv_set), Ramp::Emitted,
+                           compared(Ramp::Emitted));
   if (taken.unsupported.empty()) return taken;
-  taken = render_pass(inputs, renderer, make_reflecting_uv_pass(probe, file), Ramp::Reflected,
+  taken = render_pass(inputs, renderer, make_reflecting_uv_pass(probe, file, uv_set), Ramp::Reflected,
                       compared(Ramp::Reflected));
   if (taken.unsupported.empty() && taken.no_image.empty() && taken.findings.compared == 0)
     taken.unsupported =
         "its emission has no textures (M6), and no light of an environment reaches a textured pixel";
+  return taken;
+}
+
+// Nothing is compared where no mesh has second coordinates, and for renderers that are not given them.
+ProbeImage second_uv_pass(const ProbeInputs& inputs,
+                          const run::ChosenRenderer& renderer,
+                          const ProbeScene& probe) {
+  const auto second = at_second_coordinates(probe);
+  if (!second) return {};
+  return uv_pass(inputs, renderer, probe, primary_visibility(second->scene, {}, inputs.settings.threads), 1);
+}
+
+// Whether something that is shown turns its normals or its grain with the coordinates.
+bool follows_frames(const scene::Scene& scene) {
+  const auto shown = scene::visible_materials(scene);
+  return std::any_of(shown.begin(), shown.end(), [&](int index) {
+    const auto& material = material_at(scene, index);
+    return turns_normals(material.detail) || std::holds_alternative<scene::AnisotropicGgx>(material.model);
+  });
+}
+
+// Without a map, and with one that leans to u and to v.
+ProbeImage frames_pass(const ProbeInputs& inputs,
+                       const run::ChosenRenderer& renderer,
+                       const ProbeScene& probe,
+                       const std::vector<VisibleSurface>& surfaces) {
+  const auto plain_scene = make_frames_pass(probe, surfaces, {});
+  if (!plain_scene) return {};
+  image::Image plain;
+  const auto first =
+      render_pass(inputs, renderer, *plain_scene, Ramp::Emitted, [&](const image::Image& image) {
+        plain = image;
+        return ProbeFindings{};
+      });
+  if (!first.unsupported.empty() || !first.no_image.empty()) return first;
+  ProbeImage taken;
+  for (const Lean lean : {Lean::U, Lean::V}) {
+    const auto file = inputs.scratch / (lean == Lean::U ? "leaning-u.png" : "leaning-v.png");
+    write_leaning_map(lean, file);
+    const auto scene = make_frames_pass(probe, surfaces, file);
+    const auto one = render_pass(inputs, renderer, *scene, Ramp::Emitted, [&](const image::Image& image) {
+      return compare_frames(probe, surfaces, plain, image, lean);
+    });
+    if (!one.unsupported.empty() || !one.no_image.empty()) return one;
+    taken.findings.compared += one.findings.compared;
+    if (taken.findings.mismatches.empty()) taken.findings.mismatches = one.findings.mismatches;
+  }
   return taken;
 }
 
@@ -152,7 +203,7 @@ void probe_scene(const ProbeInputs& inputs,
   for (const auto& chosen : inputs.plan.renderers) {
     if (is_stopped(inputs.context)) return;
     const auto renderer = with_emission(chosen);
-    ProbeRecord record{planned.name, renderer.entry.name, {}, {}, {}, {}};
+    ProbeRecord record{planned.name, renderer.entry.name, {}, {}, {}, {}, {}, {}};
     for (const auto& object : probe.objects) record.object_names.push_back(object.name);
     if (!adapters::native_scene(renderer.entry, planned.file, planned.name).empty()) {
       record.id_pass.unsupported = "is rendered from a hand-written scene, which nobody can colour";
@@ -163,8 +214,12 @@ void probe_scene(const ProbeInputs& inputs,
     record.id_pass =
         render_pass(inputs, renderer, probe.scene, Ramp::Emitted,
                     [&](const image::Image& image) { return compare_id_pass(probe, surfaces, image); });
-    if (record.id_pass.unsupported.empty()) record.uv_pass = uv_pass(inputs, renderer, probe, surfaces);
-    if (record.id_pass.unsupported.empty()) record.layers = layers_pass(inputs, renderer, probe, surfaces);
+    if (record.id_pass.unsupported.empty()) {
+      record.uv_pass = uv_pass(inputs, renderer, probe, surfaces, 0);
+      record.second_uv_pass = second_uv_pass(inputs, renderer, probe);
+      if (follows_frames(*planned.scene)) record.frames = frames_pass(inputs, renderer, probe, surfaces);
+      record.layers = layers_pass(inputs, renderer, probe, surfaces);
+    }
     if (is_stopped(inputs.context)) return;
     say_record(inputs, record);
     records.push_back(std::move(record));

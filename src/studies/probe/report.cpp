@@ -50,6 +50,11 @@ std::string layers_fault(const ProbeLayers& layers) {
   return layers.findings.fault.empty() ? "" : "layers differ: " + layers.findings.fault;
 }
 
+// ", frames of normal maps in 412"; nothing where none were compared.
+std::string compared_text(const char* what, const ProbeImage& image) {
+  return image.findings.compared == 0 ? "" : fmt::format(", {} in {}", what, image.findings.compared);
+}
+
 // ", layers depth and normal in 412"; nothing for a renderer that has none, as most.
 std::string layers_text(const ProbeLayers& layers) {
   if (layers.layers.empty()) return "";
@@ -88,9 +93,9 @@ void put_image(json::Writer& out, const char* name, const ProbeRecord& record, c
 
 ProbeVerdict probe_verdict(const ProbeRecord& record) {
   if (!record.id_pass.unsupported.empty()) return ProbeVerdict::NotChecked;
-  if (!fault("", record, record.id_pass).empty() || !fault("", record, record.uv_pass).empty() ||
-      !layers_fault(record.layers).empty())
-    return ProbeVerdict::Wrong;
+  for (const auto* image : {&record.id_pass, &record.uv_pass, &record.second_uv_pass, &record.frames})
+    if (!fault("", record, *image).empty()) return ProbeVerdict::Wrong;
+  if (!layers_fault(record.layers).empty()) return ProbeVerdict::Wrong;
   return undecided(record.id_pass).empty() && undecided(record.uv_pass).empty() ? ProbeVerdict::Right
                                                                                 : ProbeVerdict::NotChecked;
 }
@@ -101,16 +106,21 @@ std::string probe_message(const ProbeRecord& record) {
   if (!id_fault.empty()) return id_fault;
   const auto uv_fault = fault("texture coordinates differ", record, record.uv_pass);
   if (!uv_fault.empty()) return uv_fault;
+  const auto second_fault = fault("second texture coordinates differ", record, record.second_uv_pass);
+  if (!second_fault.empty()) return second_fault;
+  const auto frames_fault = fault("frames of normal maps differ", record, record.frames);
+  if (!frames_fault.empty()) return frames_fault;
   if (const auto fault = layers_fault(record.layers); !fault.empty()) return fault;
   for (const auto* image : {&record.id_pass, &record.uv_pass})
     if (const auto reason = undecided(*image); !reason.empty()) return "not checked: " + reason;
   const int cracks = record.id_pass.findings.cracks;
-  return fmt::format("ok, {} pixels{}, {}{}", record.id_pass.findings.compared,
+  return fmt::format("ok, {} pixels{}, {}{}{}{}", record.id_pass.findings.compared,
                      cracks == 0 ? "" : fmt::format(" ({} of them at cracks between triangles)", cracks),
                      record.uv_pass.unsupported.empty()
                          ? fmt::format("texture coordinates in {}", record.uv_pass.findings.compared)
                          : "texture coordinates not checked: " + record.uv_pass.unsupported,
-                     layers_text(record.layers));
+                     compared_text("second ones", record.second_uv_pass),
+                     compared_text("frames of normal maps", record.frames), layers_text(record.layers));
 }
 
 std::string probe_json(const std::vector<ProbeRecord>& records) {
@@ -125,6 +135,8 @@ std::string probe_json(const std::vector<ProbeRecord>& records) {
         .member("reason", probe_message(record));
     put_image(out, "id_pass", record, record.id_pass);
     put_image(out, "uv_pass", record, record.uv_pass);
+    put_image(out, "second_uv_pass", record, record.second_uv_pass);
+    put_image(out, "frames_pass", record, record.frames);
     put_layers(out, record.layers);
     out.end_object();
   }

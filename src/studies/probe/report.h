@@ -30,6 +30,8 @@ struct ProbeRecord {
   std::string renderer;
   ProbeImage id_pass;
   ProbeImage uv_pass;
+  ProbeImage second_uv_pass;  // compares nothing where no mesh has second coordinates
+  ProbeImage frames;  // of a scene with normal maps or a grain, for renderers with normal maps and points
   ProbeLayers layers;
   std::vector<std::string> object_names;
 };

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -150,19 +152,52 @@ void write_ramp(const std::filesystem::path& file) {
   image::write_exr(image, file, image::Precision::Float, image::Compression::None);
 }
 
-scene::Scene make_uv_pass(const ProbeScene& probe, const std::filesystem::path& ramp) {
+namespace {
+
+// The materials of meshes that have these coordinates.
+std::set<int> objects_with_coordinates(const scene::Scene& scene, int uv_set) {
+  std::set<int> objects;
+  for (const auto& instance : scene.instances) {
+    const scene::Mesh& mesh = mesh_of(scene, instance);
+    if (uv_set == 1 && mesh.second_uvs.empty()) continue;
+    for (const int material : mesh.triangle_materials) objects.insert(remapped(instance, material));
+  }
+  return objects;
+}
+
+template <typename Model>
+scene::Scene with_ramp(const ProbeScene& probe, const std::filesystem::path& ramp, int uv_set) {
   scene::Scene out = probe.scene;
+  const auto shown = objects_with_coordinates(out, uv_set);
   out.textures = {{"ramp", ramp}};
-  for (auto& material : out.materials) material.model = scene::Emission{{1, 1, 1}, scene::TextureUse{0, {}}};
+  for (std::size_t i = 0; i < out.materials.size(); ++i)
+    out.materials[i].model = shown.contains(static_cast<int>(i))
+                                 ? Model{{1, 1, 1}, scene::TextureUse{0, {}, uv_set}}
+                                 : Model{{0, 0, 0}, {}};
   for (auto& light : out.lights) light.radiance = {};
   return out;
 }
 
-scene::Scene make_reflecting_uv_pass(const ProbeScene& probe, const std::filesystem::path& ramp) {
-  auto out = make_uv_pass(probe, ramp);
-  for (auto& material : out.materials) material.model = scene::Lambert{{1, 1, 1}, scene::TextureUse{0, {}}};
+}  // namespace
+
+scene::Scene make_uv_pass(const ProbeScene& probe, const std::filesystem::path& ramp, int uv_set) {
+  return with_ramp<scene::Emission>(probe, ramp, uv_set);
+}
+
+scene::Scene make_reflecting_uv_pass(const ProbeScene& probe, const std::filesystem::path& ramp, int uv_set) {
+  auto out = with_ramp<scene::Lambert>(probe, ramp, uv_set);
   out.environment = {.radiance = {1, 1, 1}};
   return out;
+}
+
+std::optional<ProbeScene> at_second_coordinates(const ProbeScene& probe) {
+  bool is_any = false;
+  ProbeScene out = probe;
+  for (scene::Mesh& mesh : out.scene.meshes) {
+    is_any = is_any || !mesh.second_uvs.empty();
+    mesh.uvs = mesh.second_uvs.empty() ? std::vector<Vec2f>(mesh.positions.size()) : mesh.second_uvs;
+  }
+  return is_any ? std::optional(std::move(out)) : std::nullopt;
 }
 
 }  // namespace orbs::studies

@@ -3,6 +3,7 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,11 +40,18 @@ inline constexpr int kRampSize = 256;
 void write_ramp(const std::filesystem::path& file);
 
 /// `probe` with all materials emitting the texture `ramp` instead of their ids: red is the fractional part of
-/// u, green that of v. Lights are black.
-scene::Scene make_uv_pass(const ProbeScene& probe, const std::filesystem::path& ramp);
+/// u, green that of v. Lights are black. At the second coordinates (uv_set 1), what has none of them is
+/// black.
+scene::Scene make_uv_pass(const ProbeScene& probe, const std::filesystem::path& ramp, int uv_set = 0);
 
 /// The same for renderers whose emission has no textures: the surfaces reflect the ramp diffusely, in a white
 /// environment alone. How much of it a point sees is the same for all channels.
-scene::Scene make_reflecting_uv_pass(const ProbeScene& probe, const std::filesystem::path& ramp);
+scene::Scene make_reflecting_uv_pass(const ProbeScene& probe,
+                                     const std::filesystem::path& ramp,
+                                     int uv_set = 0);
+
+/// The probe with second coordinates in the place of the first: 0 everywhere on meshes that have none, which
+/// is not compared. Nothing where no mesh has them.
+std::optional<ProbeScene> at_second_coordinates(const ProbeScene& probe);
 
 }  // namespace orbs::studies
