@@ -28,8 +28,8 @@ struct Correlation {
 
 /// The strongest correlation between the differences of smooth pixels that lie 1 or 2 px apart, of those
 /// whose whole interval lies beyond a twentieth: a filter wider than a pixel, a denoiser, or an error with
-/// structure. Nothing when there is none, or fewer than 1000 smooth pixels. `false_alarms` is the probability
-/// that a right image has one.
+/// structure. Nothing when there is none, when the differences are no larger than what floats round, or of
+/// fewer than 1000 smooth pixels. `false_alarms` is the probability that a right image has one.
 std::optional<Correlation> strongest_correlation(const PairSamples& samples,
                                                  const std::vector<std::uint8_t>& smooth,
                                                  double false_alarms);

@@ -2,6 +2,7 @@
 
 #include "image/image_io.h"
 #include "scene/camera_frame.h"
+#include "scene/mirrored_frames.h"
 
 #include <algorithm>
 #include <cmath>
@@ -154,6 +155,12 @@ std::string why_fault_changes_nothing(const Scene& scene, RenderFault fault) {
     case RenderFault::NormalMapFlipped:
       return reason_unless(shows(scene, [](const Material& m) { return m.detail.normal_map.has_value(); }),
                            "it shows no normal map");
+    case RenderFault::FramesWithoutSign:
+      return reason_unless(!materials_in_wrong_frames(scene, FrameSign::None).empty(),
+                           "it shows no normal map in a mirrored frame");
+    case RenderFault::FramesWithSignOfMesh:
+      return reason_unless(!materials_in_wrong_frames(scene, FrameSign::OfMesh).empty(),
+                           "no matrix mirrors a normal map");
     case RenderFault::OpacityInverted:
       return reason_unless(shows(scene, [](const Material& m) { return lets_rays_pass(m.detail); }),
                            "all that it shows is opaque");
@@ -170,6 +177,10 @@ Scene with_fault(Scene scene, RenderFault fault) {
   if (fault == RenderFault::RoughnessNotSquared) take_roots_of_roughness(scene);
   if (fault == RenderFault::SpotFullAngles) halve_spots(scene);
   if (fault == RenderFault::LensDiameter) scene.camera.aperture_radius_m /= 2;
+  if (fault == RenderFault::FramesWithoutSign)
+    scene = with_materials_by_frames(std::move(scene), FrameSign::None);
+  if (fault == RenderFault::FramesWithSignOfMesh)
+    scene = with_materials_by_frames(std::move(scene), FrameSign::OfMesh);
   return scene;
 }
 

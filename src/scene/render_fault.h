@@ -24,6 +24,8 @@ enum class RenderFault {
   SpotFullAngles,
   LensDiameter,
   NormalMapFlipped,
+  FramesWithoutSign,
+  FramesWithSignOfMesh,
   OpacityInverted
 };
 
@@ -55,6 +57,10 @@ inline constexpr std::array kRenderFaults{
                     "the radius of the lens is taken for its diameter: half the blur"},
     RenderFaultInfo{RenderFault::NormalMapFlipped, "normal-map-flipped",
                     "the green of normal maps points towards falling v"},
+    RenderFaultInfo{RenderFault::FramesWithoutSign, "frames-without-sign",
+                    "in the frames of normal maps v grows to normal x u, where something mirrors them, too"},
+    RenderFaultInfo{RenderFault::FramesWithSignOfMesh, "frames-with-sign-of-mesh",
+                    "the frames of normal maps have the sign of the mesh, where a matrix mirrors it, too"},
     RenderFaultInfo{RenderFault::OpacityInverted, "opacity-inverted",
                     "what should let rays pass is opaque, and the reverse"}};
 
@@ -67,8 +73,8 @@ std::optional<RenderFault> render_fault_named(std::string_view name);
 std::string why_fault_changes_nothing(const Scene& scene, RenderFault fault);
 
 /// The scene of which a right renderer makes the image that one with the fault makes of `scene`: other
-/// normals, another trace depth. Of the two faults for which there is none, raw textures and MIS weights,
-/// `scene` itself.
+/// normals, another trace depth. Of the faults that are made of the world or of its paths, `scene` itself, or
+/// what the world asks of it: of frames with wrong signs, materials by their frames (mirrored_frames.h).
 Scene with_fault(Scene scene, RenderFault fault);
 
 }  // namespace orbs::scene

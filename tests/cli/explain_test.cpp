@@ -22,9 +22,9 @@ std::string renderer(const std::string& name, const std::string& fault) {
 
 void write_configuration(const Sandbox& sandbox) {
   std::string entries = renderer("orbs", "");
-  for (const char* fault :
-       {"environment-quarter-turn", "environment-mirrored", "spot-full-angles", "lens-diameter",
-        "roughness-not-squared", "normal-map-flipped", "opacity-inverted"})
+  for (const char* fault : {"environment-quarter-turn", "environment-mirrored", "spot-full-angles",
+                            "lens-diameter", "roughness-not-squared", "normal-map-flipped",
+                            "frames-without-sign", "frames-with-sign-of-mesh", "opacity-inverted"})
     entries += ",\n" + renderer(fault, fault);
   sandbox.write("configuration.json", fmt::format(R"({{"format": "orbs-configuration/1", "stands_alone": true,
 "defaults": {{"suite": "everyday"}}, "suites": [{{"name": "everyday", "cases": "{0}/data/cases/everyday",
@@ -48,6 +48,7 @@ TEST(Explain, NamesTheMistakeThatMakesTheSameImage) {
        {std::pair{"environment-quarter-turn", "d5-ball"}, std::pair{"environment-mirrored", "d5-turned"},
         std::pair{"spot-full-angles", "d2-table"}, std::pair{"lens-diameter", "c1-plane"},
         std::pair{"roughness-not-squared", "metal-ball-02"}, std::pair{"normal-map-flipped", "n1-above"},
+        std::pair{"frames-without-sign", "n1-above"}, std::pair{"frames-with-sign-of-mesh", "n1-above"},
         std::pair{"opacity-inverted", "n3-mask"}}) {
     const auto text = explained(sandbox, mistake, scene);
     EXPECT_NE(text.find(fmt::format("{}  {}  {}: ", mistake, scene, mistake)), std::string::npos) << text;

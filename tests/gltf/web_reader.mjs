@@ -22,12 +22,13 @@ for (const [path, command] of Object.entries(needed))
 // pixels, as WebGPU pads rows of fewer than 16, and with 4 samples, which show the mean to 0.002 %: of more, a path is lost now
 // and then (docs/use/renderers.md says why), and where one pixel has all the noise there is, the mean stays undecided. And a
 // floor below a rectangle and a disk, which 128 samples decide where lamps are sampled, and leave open where they are met by
-// chance. And a floor below a point, slopes in parallel light, and squares seen by an orthographic camera, whose edges need
-// the samples.
+// chance. And a floor below a point, slopes in parallel light, cards with normal maps at the first coordinates and at the second
+// ones, and squares seen by an orthographic camera, whose edges need the samples.
 const kRuns = [
   ["known", "flat-field,furnace-plane", "1/8", "0.0625"],
   ["known", "rect-above,disk-above", "1/4", "0.25"],
   ["everyday", "d1-floor,d3-slopes", "1/4", "0.25"],
+  ["everyday", "n1-right,n6-normals", "1/4", "1"],
   ["everyday", "c2-squares", "1/4", "2"],
 ];
 

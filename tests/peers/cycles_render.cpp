@@ -23,7 +23,7 @@ image::Image render_with_cycles(const scene::Scene& scene,
   auto renderer = *std::find_if(configuration.renderers.begin(), configuration.renderers.end(),
                                 [&](const auto& entry) { return entry.name == renderer_name; });
   // A test knows what it can ask for; what is declared says which requirements are met whole.
-  renderer.support.declares = registry::parse_features("G5/M8/L4/A4");
+  renderer.support.declares = registry::parse_features("G5/M8/L4/A4/N6");
   const auto program = adapters::find_program(renderer.command.executable);
   if (!program)
     throw std::runtime_error(

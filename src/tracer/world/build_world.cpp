@@ -4,6 +4,7 @@
 #include "base/nth.h"
 #include "scene/geometry/extent.h"
 #include "scene/geometry/world_bounds.h"
+#include "scene/mirrored_frames.h"
 #include "scene/motion.h"
 #include "scene/relations/geometry.h"
 #include "scene/relations/motion.h"
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string>
 
 #include <fmt/format.h>
@@ -53,6 +55,16 @@ void add_materials(const scene::Scene& scene, const SceneColours& colours, World
         world.has_appearance_materials || is_appearance(nth(world.materials, index).model);
 }
 
+// The materials whose green is turned over.
+std::set<int> flipped_normal_maps(const scene::Scene& scene, std::optional<scene::RenderFault> fault) {
+  if (fault == scene::RenderFault::FramesWithoutSign)
+    return scene::materials_in_wrong_frames(scene, scene::FrameSign::None);
+  if (fault == scene::RenderFault::FramesWithSignOfMesh)
+    return scene::materials_in_wrong_frames(scene, scene::FrameSign::OfMesh);
+  if (fault == scene::RenderFault::NormalMapFlipped) return scene::visible_materials(scene);
+  return {};
+}
+
 // Empty unless something that is shown has them: what follows is not executed then.
 void add_details(const scene::Scene& scene, std::optional<scene::RenderFault> fault, World& world) {
   bool has_openings = false;
@@ -61,6 +73,7 @@ void add_details(const scene::Scene& scene, std::optional<scene::RenderFault> fa
     has_openings = has_openings || lets_rays_pass(material_at(scene, index).detail);
     has_normals = has_normals || turns_normals(material_at(scene, index).detail);
   }
+  const auto flipped = flipped_normal_maps(scene, fault);
   const auto map_of = [&](const scene::TextureUse& use) { return uv_map(use, texture_at(scene, use)); };
   for (const auto& [name, model, detail] : scene.materials) {
     if (has_openings) {
@@ -77,7 +90,7 @@ void add_details(const scene::Scene& scene, std::optional<scene::RenderFault> fa
     NormalDetail& turned = world.normal_details.emplace_back();
     if (const auto& map = detail.normal_map) {
       const auto strength = static_cast<float>(map->strength);
-      const bool is_flipped = fault == scene::RenderFault::NormalMapFlipped;
+      const bool is_flipped = flipped.contains(static_cast<int>(world.normal_details.size()) - 1);
       turned.normal = {
           map->texture.texture, map_of(map->texture), {strength, is_flipped ? -strength : strength}};
     }

@@ -334,6 +334,19 @@ TEST(NoiseTest, CorrelatedNoiseIsSeen) {
   EXPECT_NEAR(correlation->value, 0.5, 0.1);  // that of the mean of two: 1/4 + 1/4 shared of 1/2
 }
 
+// Floats round alike in all pixels of an even surface.
+TEST(NoiseTest, RoundingIsNoCorrelatedNoise) {
+  Image reference = rendered(from_half_to_three_halves, {.size_px = 64});
+  for (std::size_t i = 0; i < reference.pixels.size(); ++i) reference.pixels[i] = i % 6 < 3 ? 0.5F : 0.0F;
+  const auto is_seen = [&](float share) {
+    Image result = without_variance(reference);
+    for (float& value : result.pixels) value *= 1 + share;
+    return test_noise(result, reference).correlation.has_value();
+  };
+  EXPECT_FALSE(is_seen(1e-6F));
+  EXPECT_TRUE(is_seen(1e-4F));
+}
+
 // The variance of the image must be there: neither may the image share the reference's samples, nor may it
 // state more than it has.
 TEST(NoiseTest, TheStatedNoiseMustBeThere) {
