@@ -102,10 +102,12 @@ namespace {
 std::set<int> uv_sets_of(const scene::Scene& scene, int index) {
   const scene::Material& material = material_at(scene, index);
   std::set<int> sets;
-  for (const scene::TextureUse& use : texture_uses(material)) sets.insert(use.uv_set);
+  for (const scene::TextureUse& use : shown_texture_uses(scene.materials, index)) sets.insert(use.uv_set);
   if (std::holds_alternative<scene::AnisotropicGgx>(material.model)) sets.insert(0);
   if (const auto* blend = std::get_if<scene::Blend>(&material.model))
-    for (const auto& part : blend->parts) sets.merge(uv_sets_of(scene, part.material));
+    for (const auto& part : blend->parts)
+      if (std::holds_alternative<scene::AnisotropicGgx>(material_at(scene, part.material).model))
+        sets.insert(0);
   return sets;
 }
 

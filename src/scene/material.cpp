@@ -1,5 +1,6 @@
 #include "scene/material.h"
 
+#include "base/nth.h"
 #include "scene/load/kind.h"
 #include "scene/load/spectra.h"
 
@@ -28,6 +29,17 @@ std::vector<TextureUse> texture_uses(const Material& material) {
   if (detail.opacity_texture) uses.push_back(*detail.opacity_texture);
   if (detail.normal_map) uses.push_back(detail.normal_map->texture);
   if (detail.bump_map) uses.push_back(detail.bump_map->texture);
+  return uses;
+}
+
+std::vector<TextureUse> shown_texture_uses(const std::vector<Material>& materials, int index) {
+  const Material& material = nth(materials, index);
+  auto uses = texture_uses(material);
+  if (const auto* blend = std::get_if<Blend>(&material.model))
+    for (const auto& part : blend->parts) {
+      const auto more = texture_uses(nth(materials, part.material));
+      uses.insert(uses.end(), more.begin(), more.end());
+    }
   return uses;
 }
 

@@ -71,6 +71,9 @@ const std::optional<TextureUse>& texture_of(const MaterialModel& model);
 /// All textures of a material: that of its model and those of its detail.
 std::vector<TextureUse> texture_uses(const Material& material);
 
+/// And of a blend those of its parts: all that a surface of the material shows.
+std::vector<TextureUse> shown_texture_uses(const std::vector<Material>& materials, int index);
+
 /// The spectrum that a model has in the place of its colour, if it has one.
 const std::optional<SpectrumUse>& spectrum_of(const MaterialModel& model);
 

@@ -107,6 +107,8 @@ TEST(Relations, AreBrokenByFaultsOfRenderers) {
        {Breaking{OpacityInverted, "clear_box", tests::terrace()},
         {SpotFullAngles, "points_as_spots", tests::terrace()},
         {EnvironmentQuarterTurn, "rotate", tests::terrace()},
+        {FramesWithoutSign, "mirror", tests::terrace()},
+        {FramesWithSignOfMesh, "mirror", tests::terrace()},
         {EnvironmentMirrored, "rotate", tests::terrace()},
         // So large that enough paths find it to be counted twice.
         {NoMisWeight, "points_as_spheres", tests::lamp_above_ground(), 0.5}}) {

@@ -215,7 +215,7 @@ std::vector<std::string> gltf_limits(const scene::Scene& scene) {
   for (const int index : scene::visible_materials(scene)) {
     const scene::Material& material = material_at(scene, index);
     note(gltf::material_limit(material));
-    note(gltf::texture_matrices_limit(material));
+    note(gltf::texture_matrices_limit(scene, index));
     if (const auto& use = scene::texture_of(material.model)) colours.insert(use->texture);
     if (const auto& map = material.detail.normal_map) normals.insert(map->texture.texture);
   }

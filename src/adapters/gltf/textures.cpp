@@ -81,8 +81,8 @@ std::map<int, TextureTransforms> take_texture_transforms(scene::Scene& scene) {
   return taken;
 }
 
-std::string texture_matrices_limit(const scene::Material& material) {
-  return transforms_of(material) ? "" : scene::texture_matrices_problem(material);
+std::string texture_matrices_limit(const scene::Scene& scene, int material) {
+  return transforms_of(material_at(scene, material)) ? "" : scene::texture_matrices_problem(scene, material);
 }
 
 }  // namespace orbs::adapters::gltf

@@ -31,6 +31,6 @@ struct TextureTransforms {
 std::map<int, TextureTransforms> take_texture_transforms(scene::Scene& scene);
 
 /// Why those that stay of a material cannot be applied to the coordinates; "" when they can.
-std::string texture_matrices_limit(const scene::Material& material);
+std::string texture_matrices_limit(const scene::Scene& scene, int material);
 
 }  // namespace orbs::adapters::gltf

@@ -293,7 +293,7 @@ std::vector<std::string> mitsuba_limits(const scene::Scene& scene) {
   for (const int index : scene::visible_materials(scene)) {
     const scene::Material& material = material_at(scene, index);
     note(mitsuba::material_limit(material, transport == scene::LightTransport::Polarised));
-    note(scene::texture_matrices_problem(material));
+    note(scene::texture_matrices_problem(scene, index));
     note(uv_set_limit(scene, index, kName));
     for (const scene::TextureUse& use : scene::texture_uses(material)) textures.insert(use.texture);
   }

@@ -281,7 +281,7 @@ std::vector<std::string> pbrt_limits(const scene::Scene& scene) {
   for (const int index : scene::visible_materials(scene)) {
     const scene::Material& material = material_at(scene, index);
     note(pbrt::material_limit(material));
-    note(scene::texture_matrices_problem(material));
+    note(scene::texture_matrices_problem(scene, index));
     note(uv_set_limit(scene, index, kName));
     if (std::holds_alternative<scene::Emission>(material.model)) continue;
     for (const scene::TextureUse& use : scene::texture_uses(material)) textures.insert(use.texture);

@@ -57,14 +57,8 @@ std::string moving_problem(const Scene& scene, int material) {
 
 // Itself, or by a part of a blend.
 bool asks_for_second_uvs(const Scene& scene, int index) {
-  const Material& material = material_at(scene, index);
-  const auto uses = texture_uses(material);
-  if (std::any_of(uses.begin(), uses.end(), [](const TextureUse& use) { return use.uv_set != 0; }))
-    return true;
-  const auto* blend = std::get_if<Blend>(&material.model);
-  return blend != nullptr && std::any_of(blend->parts.begin(), blend->parts.end(), [&](const auto& part) {
-           return asks_for_second_uvs(scene, part.material);
-         });
+  const auto uses = shown_texture_uses(scene.materials, index);
+  return std::any_of(uses.begin(), uses.end(), [](const TextureUse& use) { return use.uv_set != 0; });
 }
 
 }  // namespace

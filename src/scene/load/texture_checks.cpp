@@ -88,7 +88,7 @@ std::vector<std::string> flat_texture_warnings(const Scene& scene,
     if (is_new) uvs->second = uvs_by_material(mesh_of(scene, instance));
     for (const auto& [own, uv] : uvs->second) {
       const int shown = remapped(instance, own);
-      if (!uv || texture_uses(material_at(scene, shown)).empty()) continue;
+      if (!uv || shown_texture_uses(scene.materials, shown).empty()) continue;
       if (!told.insert({instance.mesh, shown}).second) continue;
       warnings.push_back(fmt::format(
           "{}: mesh '{}' shows the textured material '{}', and its texture coordinates there are absent or all "

@@ -28,8 +28,8 @@ void drop_spectra(Scene& scene) {
 namespace {
 
 // All textures of a material have the same one where they are baked (check_texture_matrices).
-bool has_texture_matrix(const Material& material) {
-  const auto uses = texture_uses(material);
+bool has_texture_matrix(const std::vector<Material>& materials, int index) {
+  const auto uses = shown_texture_uses(materials, index);
   return !uses.empty() && uses.front().matrix != Mat4{};
 }
 
@@ -56,15 +56,14 @@ void bake_texture_matrices(Mesh& mesh, const std::vector<Material>& materials) {
   out.triangle_materials = mesh.triangle_materials;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const int index = mesh.triangle_materials[i];
-    const auto& material = nth(materials, index);
-    const bool has_matrix = has_texture_matrix(material);
+    const bool has_matrix = has_texture_matrix(materials, index);
     auto& triangle = out.triangles.emplace_back(mesh.triangles[i]);
     for (auto& vertex : triangle) {
       const auto place = static_cast<std::uint32_t>(out.positions.size());
       const auto [it, is_new] = places.try_emplace({vertex, has_matrix ? index : kAsIs}, place);
       if (is_new) {
         append_vertex(out, mesh, vertex);
-        if (has_matrix) transform_uvs(out, texture_uses(material).front().matrix);
+        if (has_matrix) transform_uvs(out, shown_texture_uses(materials, index).front().matrix);
       }
       vertex = it->second;
     }
@@ -95,7 +94,8 @@ void replace_plain_dielectrics(Scene& scene) {
 
 void bake_texture_matrices(Scene& scene) {
   bool any = false;
-  for (const auto& material : scene.materials) any = any || has_texture_matrix(material);
+  for (std::size_t i = 0; i < scene.materials.size(); ++i)
+    any = any || has_texture_matrix(scene.materials, static_cast<int>(i));
   if (!any) return;
   resolve_remap_lists(scene);
   for (auto& mesh : scene.meshes) bake_texture_matrices(mesh, scene.materials);
@@ -113,11 +113,12 @@ void bake_texture_matrices(Scene& scene) {
   }
 }
 
-std::string texture_matrices_problem(const Material& material) {
-  const auto uses = texture_uses(material);
+std::string texture_matrices_problem(const Scene& scene, int index) {
+  const auto uses = shown_texture_uses(scene.materials, index);
   for (const TextureUse& use : uses)
     if (use.matrix != uses.front().matrix)
-      return fmt::format("material '{}' has textures with different matrices", material.name);
+      return fmt::format("material '{}' has textures with different matrices",
+                         material_at(scene, index).name);
   return "";
 }
 
@@ -152,8 +153,8 @@ std::string lower_materials(Scene& scene, const Capabilities& capabilities) {
   if (!capabilities.contains("M7")) replace_smooth_oren_nayar(scene);
   if (!capabilities.contains("E1")) replace_plain_dielectrics(scene);
   if (!capabilities.contains("M5")) {
-    for (const auto& material : scene.materials)
-      if (auto problem = texture_matrices_problem(material); !problem.empty())
+    for (const int index : visible_materials(scene))
+      if (auto problem = texture_matrices_problem(scene, index); !problem.empty())
         return problem + ", which needs M5";
     bake_texture_matrices(scene);
   }

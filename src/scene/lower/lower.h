@@ -23,7 +23,7 @@ void replace_plain_dielectrics(Scene& scene);
 void bake_texture_matrices(Scene& scene);
 /// The complaint about a material whose textures have different matrices: no coordinates can be made of
 /// these. "" where they agree.
-std::string texture_matrices_problem(const Material& material);
+std::string texture_matrices_problem(const Scene& scene, int material);
 
 /// Requirement codes ("G3", "M5") that a renderer fulfils.
 using Capabilities = std::set<std::string>;

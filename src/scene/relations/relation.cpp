@@ -91,6 +91,13 @@ Related unreachable(const Scene& scene, double) {
   return related(scene, with_unreachable_object(scene));
 }
 Related clear_box(const Scene& scene, double) { return related(scene, with_clear_box(scene)); }
+Related blend_of_itself(const Scene& scene, double) {
+  return related(scene, with_blends_of_themselves(scene));
+}
+Related second_coordinates(const Scene& scene, double) {
+  return related(scene, with_second_coordinates(scene));
+}
+Related small_lens(const Scene& scene, double share) { return related(scene, with_small_lens(scene, share)); }
 Related points_as_spots(const Scene& scene, double) { return related(scene, with_points_as_spots(scene)); }
 Related points_as_spheres(const Scene& scene, double share) {
   return related(scene, with_points_as_spheres(scene, share));
@@ -154,6 +161,14 @@ std::vector<Relation> all_relations() {
        false,
        points_as_spheres},
       {"clear_box", "a box around all of opacity 0", "", kOne, false, clear_box},
+      {"blend_of_itself", "each material as a blend of itself", "", kOne, false, blend_of_itself},
+      {"second_coordinates", "textures at second coordinates", "", kOne, false, second_coordinates},
+      {"small_lens",
+       "a small lens, times the distance in focus",
+       "",
+       {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9},
+       false,
+       small_lens},
       {"winding", "windings and normals flipped", "", kOne, false, winding},
       {"channels", "colour channels exchanged", "", kOne, false, channels},
       {"unreachable", "an object more that no path reaches", "", kOne, false, unreachable},

@@ -1,7 +1,9 @@
 // What a blend may name.
 #include "base/error.h"
 #include "base/files.h"
+#include "scene/geometry/generators.h"
 #include "scene/load/load_scene.h"
+#include "scene/lower/lower.h"
 
 #include <gtest/gtest.h>
 
@@ -59,4 +61,29 @@ TEST(Blend, HasNoPartsWithOpacityOrNormalMaps) {
                       R"({"name": "b", "type": "blend", "first": "n", "second": "m", "weight": 1})")
                 .find("'m' has its own"),
             std::string::npos);
+}
+
+// A surface shows the textures of its parts.
+TEST(Blend, TakesTheTextureMatricesOfItsPartsAlong) {
+  scene::Scene scene;
+  scene.textures = {{"t", "t.png"}};
+  const scene::TextureUse twice{0, scaling({2, 3, 1})};
+  scene.materials = {{"first", scene::Lambert{{1, 1, 1}, twice}},
+                     {"second", scene::Lambert{{1, 1, 1}, twice}},
+                     {"both", scene::Blend{{scene::Blend::Part{"first", 0}, {"second", 1}}, 0.5, {}}}};
+  scene.meshes = {scene::make_plane({1})};
+  scene.meshes[0].triangle_materials.assign(2, 2);
+  scene.instances = {{"i", 0, {}, {}}};
+  EXPECT_EQ(scene::texture_matrices_problem(scene, 2), "");
+  auto baked = scene;
+  scene::bake_texture_matrices(baked);
+  EXPECT_EQ(std::get<scene::Lambert>(baked.materials[0].model).texture->matrix, Mat4{});
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec2f was = scene.meshes[0].uvs[scene.meshes[0].triangles[i][k]];
+      EXPECT_EQ(baked.meshes[0].uvs[baked.meshes[0].triangles[i][k]], (Vec2f{2 * was.x, 3 * was.y}));
+    }
+  std::get<scene::Lambert>(scene.materials[1].model).texture->matrix = {};
+  EXPECT_EQ(scene::texture_matrices_problem(scene, 2),
+            "material 'both' has textures with different matrices");
 }

@@ -9,9 +9,12 @@
 #include "scene/relations/ground.h"
 #include "scene/relations/light.h"
 #include "scene/relations/motion.h"
+#include "scene/relations/surface.h"
 #include "unit/scene/related_scenes.h"
 
+#include <filesystem>
 #include <numbers>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -59,6 +62,27 @@ TEST(Relations, MakeScenesThatTheFormatHolds) {
         ++written;
       }
     EXPECT_GE(written, 1) << relation.name;
+  }
+}
+
+// Of a scene with blends, and of one with solids whose operands have materials of their own.
+TEST(Relations, BlendsOfThemselvesStandBehindTheirParts) {
+  const ScratchFolder scratch("relations");
+  const std::filesystem::path cases = std::filesystem::path(ORBS_SOURCE_DIR) / "data/cases";
+  for (const char* name : {"everyday/b6_blend/blend-mirror", "shapes/s4_csg/s4-solids"}) {
+    const auto original = scene::load_scene(cases / (std::string(name) + ".json"));
+    const auto changed = scene_in(scene::with_blends_of_themselves(original));
+    EXPECT_EQ(changed.materials.size(), 2 * original.materials.size());
+    scene::write_scene(changed, scratch.path() / "scene.json");
+    const auto read = scene::load_scene(scratch.path() / "scene.json");
+    const int count = static_cast<int>(original.materials.size());
+    for (const auto& instance : original.instances)
+      for (const int own : scene::mesh_of(original, instance).triangle_materials)
+        EXPECT_TRUE(scene::visible_materials(read).contains(own + count)) << name << " " << own;
+    scene::Scene shapes = original;
+    shapes.instances.clear();
+    for (const int shown : scene::visible_materials(shapes))
+      EXPECT_TRUE(scene::visible_materials(read).contains(shown + count)) << name << " " << shown;
   }
 }
 
