@@ -1,12 +1,14 @@
-// The verdicts of all renderers side by side: docs/reports/renderers-1-4.csv and gltf-*.csv beside it, which
-// data/bench/renderer_results.py makes of runs, and the tables of the README, of the findings and of the page
-// of the renderers that are made of them.
+// The verdicts of all renderers side by side: docs/reports/renderers-1-4.csv, everyday-1-4.csv and gltf-*.csv
+// beside it, which data/bench/renderer_results.py makes of runs, and the tables of the README, of the
+// findings and of the page of the renderers that are made of them.
 #include "base/files.h"
 #include "registry/configuration.h"
 #include "structure/documentation.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -18,12 +20,18 @@
 
 namespace {
 
+// How many scenes of each verdict.
+enum Verdict : std::size_t { kPass, kFail, kInconclusive, kUnsupported, kVerdicts };
+constexpr std::array<const char*, kVerdicts> kMarks{"\u2713", "\u2717", "?", "\u2013"};
+using Counts = std::array<int, kVerdicts>;
+
 struct Column {
   std::string renderer;
   std::string version;
   std::string cpu_seconds;
   std::string measured;
   std::map<std::string, std::string> cells{};  // by requirement
+  Counts scenes{};                             // where the file counts them
 };
 
 struct Table {
@@ -36,6 +44,23 @@ std::string cell_text(const std::string& verdict, const std::string& psnr_db) {
   const bool is_pass = verdict.starts_with("pass");
   const char* mark = is_pass ? "\u2713" : verdict == "inconclusive" ? "?" : "\u2717";
   return fmt::format("{} {}", psnr_db, mark);
+}
+
+// Where scenes of one requirement have several verdicts, how many have each.
+std::string counted_text(const std::string& psnr_db, const Counts& counts) {
+  std::string marks;
+  int kinds = 0;
+  for (std::size_t verdict = 0; verdict < kVerdicts; ++verdict) {
+    if (counts[verdict] == 0) continue;
+    marks += fmt::format(" {}\u00a0{}", kMarks[verdict], counts[verdict]);
+    ++kinds;
+  }
+  if (kinds == 1) {
+    const auto only = std::find_if(counts.begin(), counts.end(), [](int count) { return count > 0; });
+    marks = fmt::format(" {}", kMarks[static_cast<std::size_t>(only - counts.begin())]);
+  }
+  if (counts[kPass] + counts[kFail] + counts[kInconclusive] == 0) return kMarks[kUnsupported];
+  return (psnr_db == "inf" ? "\u221e" : psnr_db) + marks;
 }
 
 // Titles that have a comma are quoted.
@@ -61,14 +86,26 @@ Table read_table(const std::string& csv) {
   std::getline(in, line);  // the names of the columns
   while (std::getline(in, line)) {
     const auto cells = cells_of(line);
-    if (cells.size() != 8) throw std::runtime_error("expected 8 cells: " + line);
+    const bool has_counts = cells.size() == 8 + kVerdicts;
+    if (cells.size() != 8 && !has_counts)
+      throw std::runtime_error(fmt::format("expected 8 or {} cells: {}", 8 + kVerdicts, line));
     if (table.columns.empty() || table.columns.back().renderer != cells[0])
       table.columns.push_back({cells[0], cells[1], cells[2], cells[3]});
     const std::pair requirement{cells[4], cells[5]};
     if (std::find(table.requirements.begin(), table.requirements.end(), requirement) ==
         table.requirements.end())
       table.requirements.push_back(requirement);
-    table.columns.back().cells[cells[4]] = cell_text(cells[6], cells[7]);
+    auto& column = table.columns.back();
+    if (!has_counts) {
+      column.cells[cells[4]] = cell_text(cells[6], cells[7]);
+      continue;
+    }
+    Counts counts{};
+    for (std::size_t verdict = 0; verdict < kVerdicts; ++verdict) {
+      counts[verdict] = std::stoi(cells[8 + verdict]);
+      column.scenes[verdict] += counts[verdict];
+    }
+    column.cells[cells[4]] = counted_text(cells[7], counts);
   }
   return table;
 }
@@ -127,6 +164,20 @@ std::string versions(const Table& table) {
   return text;
 }
 
+std::string versions_and_counts(const Table& table) {
+  std::string text = "| renderer | version | scenes |";
+  for (const char* mark : kMarks) text += fmt::format(" {} |", mark);
+  text += "\n|---|---|---|---|---|---|---|\n";
+  for (const auto& column : table.columns) {
+    text +=
+        fmt::format("| {} | {} | {} |", column.renderer, column.version.empty() ? "not told" : column.version,
+                    std::accumulate(column.scenes.begin(), column.scenes.end(), 0));
+    for (const int count : column.scenes) text += fmt::format(" {} |", count);
+    text += '\n';
+  }
+  return text;
+}
+
 }  // namespace
 
 TEST(RenderersTable, TheReadmeAndTheFindingsShowTheCommittedRuns) {
@@ -137,6 +188,20 @@ TEST(RenderersTable, TheReadmeAndTheFindingsShowTheCommittedRuns) {
   EXPECT_EQ(check_generated_part(root / "README.md", "renderers", markdown(table)), "");
   EXPECT_EQ(check_generated_part(root / "docs/reports/findings.md", "renderers",
                                  markdown(table) + "\n" + versions(table)),
+            "");
+}
+
+TEST(RenderersTable, TheFindingsShowTheCommittedRunsOfEverydayFeatures) {
+  const std::filesystem::path root(ORBS_SOURCE_DIR);
+  const auto table = read_table(orbs::read_file(root / "docs/reports/everyday-1-4.csv"));
+  ASSERT_FALSE(table.columns.empty());
+  EXPECT_EQ(table.columns[0].renderer, "orbs");
+  for (const auto& column : table.columns)
+    EXPECT_EQ(std::accumulate(column.scenes.begin(), column.scenes.end(), 0),
+              std::accumulate(table.columns[0].scenes.begin(), table.columns[0].scenes.end(), 0))
+        << column.renderer << " was not run in all scenes";
+  EXPECT_EQ(orbs::structure::check_generated_part(root / "docs/reports/findings.md", "everyday",
+                                                  markdown(table) + "\n" + versions_and_counts(table)),
             "");
 }
 
