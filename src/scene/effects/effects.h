@@ -67,6 +67,10 @@ LightTransport transport_for(Effect effect);
 ///   MeasuredMetal  n and k are those of that wavelength
 ///   ThinFilm       no films
 ///   Motion         the scene at rest as it is when the shutter opens
+///   EnvironmentMap the environment shines everywhere as it does where its image is white
+///   Opacity        all is opaque
+///   TurnedNormals  no normal maps and no bumps
+///   SurfaceLayers  no layers
 /// False, and nothing changes, for the other effects: they are left out by the transport, see WorldSettings
 /// of the tracer. InputError naming the first material that calls for the effect and has no form without it.
 bool leave_out(Effect effect, Scene& scene);
