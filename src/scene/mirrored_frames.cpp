@@ -32,18 +32,34 @@ bool shows_a_normal_map(const Scene& scene) {
 
 }  // namespace
 
-std::set<int> materials_in_wrong_frames(const Scene& given, FrameSign known) {
+std::set<int> materials_in_wrong_frames(const Scene& scene, FrameSign known) {
   std::set<int> found;
-  if (!shows_a_normal_map(given)) return found;
-  Scene scene = given;
-  resolve_remap_lists(scene);
-  for (const Instance& instance : scene.instances) {
-    const Mesh& mesh = mesh_of(scene, instance);
+  if (!shows_a_normal_map(scene)) return found;
+  Scene resolved = scene;
+  resolve_remap_lists(resolved);
+  for (const Instance& instance : resolved.instances) {
+    const Mesh& mesh = mesh_of(resolved, instance);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-      if (has_wrong_frame(scene, mesh, i, mirrors(instance), known)) found.insert(mesh.triangle_materials[i]);
+      if (has_wrong_frame(resolved, mesh, i, mirrors(instance), known))
+        found.insert(mesh.triangle_materials[i]);
   }
   return found;
 }
+
+namespace {
+
+// The copy of a material for wrong frames, added to the scene when it is not there.
+int copy_for_wrong_frames(Scene& scene, int material, std::map<int, int>& copies) {
+  const auto [copy, is_new] = copies.try_emplace(material, static_cast<int>(scene.materials.size()));
+  if (is_new) {
+    Material same = material_at(scene, material);
+    same.name += " in wrong frames";
+    scene.materials.push_back(std::move(same));
+  }
+  return copy->second;
+}
+
+}  // namespace
 
 Scene with_materials_by_frames(Scene scene, FrameSign known) {
   resolve_remap_lists(scene);
@@ -54,17 +70,9 @@ Scene with_materials_by_frames(Scene scene, FrameSign known) {
         meshes.try_emplace({instance.mesh, mirrors(instance)}, static_cast<int>(scene.meshes.size()));
     if (is_new) {
       Mesh mesh = mesh_of(scene, instance);
-      for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        if (!has_wrong_frame(scene, mesh, i, mirrors(instance), known)) continue;
-        int& material = mesh.triangle_materials[i];
-        const auto [copy, is_first] = copies.try_emplace(material, static_cast<int>(scene.materials.size()));
-        if (is_first) {
-          Material same = material_at(scene, material);
-          same.name += " in wrong frames";
-          scene.materials.push_back(std::move(same));
-        }
-        material = copy->second;
-      }
+      for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        if (has_wrong_frame(scene, mesh, i, mirrors(instance), known))
+          mesh.triangle_materials[i] = copy_for_wrong_frames(scene, mesh.triangle_materials[i], copies);
       mesh.subdivision.reset();
       scene.meshes.push_back(std::move(mesh));
     }

@@ -113,12 +113,12 @@ void bake_texture_matrices(Scene& scene) {
   }
 }
 
-std::string texture_matrices_problem(const Scene& scene, int index) {
-  const auto uses = shown_texture_uses(scene.materials, index);
+std::string texture_matrices_problem(const Scene& scene, int material) {
+  const auto uses = shown_texture_uses(scene.materials, material);
   for (const TextureUse& use : uses)
     if (use.matrix != uses.front().matrix)
       return fmt::format("material '{}' has textures with different matrices",
-                         material_at(scene, index).name);
+                         material_at(scene, material).name);
   return "";
 }
 

@@ -39,7 +39,7 @@ struct Suspect {
 std::vector<Mismatch> mismatches_of(const ProbeScene& probe, std::vector<Suspect> suspects);
 
 /// The object that all points of a pixel see; none if they see several.
-std::optional<int> only_object(std::span<const VisibleSurface> points);
+std::optional<int> only_object(std::span<const VisibleSurface> surfaces);
 
 /// Compares the image of the id pass. A pixel counts if all its points see the same object, because then a
 /// pixel filter no wider than one pixel can only give that object's colour. Both comparisons leave room for

@@ -107,12 +107,12 @@ std::optional<Expected> expected_of(const scene::Scene& scene,
   const Vec3d u = cast<double>(middle.along_u);
   const Vec3d v = cast<double>(middle.along_v);
   const auto add = [&](const char* what, Vec3d along_u, Vec3d along_v) {
-    if (const auto one = ratio(middle, to_eye, along_u, along_v, lean)) out.wrong.push_back({what, *one});
+    if (const auto one = ratio(middle, to_eye, along_u, along_v, lean)) out.wrong.emplace_back(what, *one);
   };
   add("u the other way", -u, v);
   add("v the other way", u, -v);
   add("u in the place of v", v, u);
-  out.wrong.push_back({"no lean", 1});
+  out.wrong.emplace_back("no lean", 1.0);
   return out;
 }
 
