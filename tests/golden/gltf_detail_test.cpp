@@ -3,6 +3,7 @@
 #include "adapters/gltf/gltf.h"
 #include "base/files.h"
 #include "golden/read_gltf.h"
+#include "golden/written_gltf.h"
 #include "image/image_io.h"
 #include "scene/geometry/generators.h"
 #include "scene/load/load_scene.h"
@@ -20,22 +21,14 @@ namespace fs = std::filesystem;
 
 const fs::path kCases = fs::path(ORBS_SOURCE_DIR) / "data/cases/everyday";
 
-class GltfDetail : public testing::Test {
+class GltfDetail : public tests::WrittenGltf {
  protected:
-  tests::GltfFile written(const scene::Scene& scene) const {
-    const auto limits = adapters::gltf_limits(scene);
-    EXPECT_TRUE(limits.empty()) << limits.front();
-    adapters::write_gltf(scene, folder_ / "scene.glb");
-    return tests::read_glb(folder_ / "scene.glb");
-  }
   // The first texel of the file's one image, as it is stored.
   Vec3d first_texel(const tests::GltfFile& file) const {
     write_file(folder_ / "map.png", tests::read_view(file, file.json.at("images").at(0).at("bufferView")));
     const auto image = image::read_image(folder_ / "map.png");
     return {double{image.at(0, 0, 0)}, double{image.at(0, 0, 1)}, double{image.at(0, 0, 2)}};
   }
-  ScratchFolder scratch_{"orbs-gltf-detail"};
-  fs::path folder_ = scratch_.path();
 };
 
 const json& attributes_of(const tests::GltfFile& file, std::size_t mesh) {

@@ -6,6 +6,7 @@
 #include "base/files.h"
 #include "golden/read_back.h"
 #include "golden/read_gltf.h"
+#include "golden/written_gltf.h"
 #include "image/image_io.h"
 #include "registry/features.h"
 #include "scene/camera_frame.h"
@@ -28,17 +29,7 @@ using namespace orbs;
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-class Gltf : public testing::Test {
- protected:
-  tests::GltfFile written(const scene::Scene& scene) const {
-    const auto limits = adapters::gltf_limits(scene);
-    EXPECT_TRUE(limits.empty()) << limits.front();
-    adapters::write_gltf(scene, folder_ / "scene.glb");
-    return tests::read_glb(folder_ / "scene.glb");
-  }
-  ScratchFolder scratch_{"orbs-gltf"};
-  fs::path folder_ = scratch_.path();
-};
+class Gltf : public tests::WrittenGltf {};
 
 // As a renderer gets it that declares all that the exporter writes.
 scene::Scene suite_scene(const std::string& name) {

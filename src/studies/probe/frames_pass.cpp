@@ -53,15 +53,15 @@ std::set<int> objects_with_frames(const scene::Scene& scene) {
 // What the light is multiplied by, where the frame has these directions. Nothing of what lies along the view.
 std::optional<double> ratio(
     const VisibleSurface& point, Vec3d to_eye, Vec3d along_u, Vec3d along_v, Lean lean) {
-  const Vec3d n = cast<double>(point.normal);
-  const Vec3d across = along_u - n * dot(n, along_u);
+  constexpr double kLeastFacing = 0.1;  // silhouettes are near
+  const scene::UvFrame frame{along_u, along_v, cast<double>(point.normal)};
+  const Vec3d n = frame.normal;
+  const auto t = tangent_across(frame, n);
   const double facing = dot(n, to_eye);
-  if (!(length(across) > 0) || std::abs(facing) < 0.1) return std::nullopt;
-  const Vec3d t = normalised(across);
-  Vec3d b = cross(n, t);
-  if (dot(b, along_v) < 0) b = -b;
+  if (!t || std::abs(facing) < kLeastFacing) return std::nullopt;
+  const Vec3d b = cross(n, *t) * (is_mirrored(frame) ? -1.0 : 1.0);
   const Vec3d c = leaning_normal(lean);
-  return std::max(0.0, dot(normalised(t * c.x + b * c.y + n * c.z), to_eye) / facing);
+  return std::max(0.0, dot(normalised(*t * c.x + b * c.y + n * c.z), to_eye) / facing);
 }
 
 // What many renderers leave of the light of a turned normal, so that it does not end at a line (Chiang, Li
