@@ -1,4 +1,4 @@
-# Everything from outside; the Debian packages that hold it are listed in ./bootstrap.
+# Everything from outside; the packages that hold it are listed in system.sh.
 find_package(Threads REQUIRED)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)

@@ -1,7 +1,7 @@
 // Checks the types of the tests of this folder, bundles them and runs them with Node's test runner:
 //   node run_tests.mjs <source folder> <build folder> [names of tests, as a pattern]
 import { spawnSync } from "node:child_process";
-import { readdirSync, rmSync } from "node:fs";
+import { existsSync, readdirSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 
@@ -32,8 +32,23 @@ esbuild.buildSync({
 });
 const files = readdirSync(output).map((file) => join(output, file));
 const names = pattern ? [`--test-name-pattern=${pattern}`] : [];
+// Not each system has a package of it. To ctest, 77 says that the test is skipped.
+const chromium = [
+  "/usr/bin/chromium",
+  "/usr/bin/chromium-browser",
+  "/usr/bin/google-chrome",
+].find(existsSync);
+if (!chromium) {
+  console.log("Chromium is not installed, so the page was not tested in a browser.");
+  process.exit(77);
+}
 const result = spawnSync(process.execPath, ["--test", "--test-reporter=spec", ...names, ...files], {
   stdio: "inherit",
-  env: { ...process.env, ORBS_SOURCE_DIR: source, ORBS_BINARY_DIR: build },
+  env: {
+    ...process.env,
+    ORBS_SOURCE_DIR: source,
+    ORBS_BINARY_DIR: build,
+    ORBS_CHROMIUM: chromium,
+  },
 });
 process.exit(result.status ?? 1);

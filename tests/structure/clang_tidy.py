@@ -105,8 +105,10 @@ def check(tool, folder, batch):
 
 def main(root, build):
     tool = shutil.which("clang-tidy-14") or shutil.which("clang-tidy")
-    if not tool:
-        sys.exit("clang-tidy is missing: ./bootstrap test installs it (Debian package clang-tidy).")
+    # Each version finds other things. To ctest, 77 says that the test is skipped.
+    if not tool or b"version 14." not in subprocess.check_output([tool, "--version"]):
+        print("clang-tidy 14 is not installed, so the sources were not checked with it.")
+        return 77
     # clang-tidy reads the rules that lie above the file: those of the repository, for the build folder is inside it.
     src, folder = root / "src", build / "clang-tidy"
     (folder / "clean").mkdir(parents=True, exist_ok=True)
