@@ -167,8 +167,13 @@ def diffuse(shader, colour, roughness=0.0):
     return shader.node("ShaderNodeBsdfDiffuse", {"Color": colour, "Roughness": roughness}).outputs["BSDF"]
 
 
+def distribution_of(alpha):
+    """The name of the microfacet distribution of this width. Blender 4.0 has dropped SHARP: GGX without width is that."""
+    return "SHARP" if alpha == 0 and bpy.app.version < (4, 0) else "GGX"
+
+
 def glossy(shader, colour, alpha):
-    distribution = "GGX" if alpha > 0 else "SHARP"
+    distribution = distribution_of(alpha)
     return shader.node("ShaderNodeBsdfGlossy", {"Color": colour, "Roughness": math.sqrt(alpha)},
                        distribution=distribution).outputs["BSDF"]  # fmt: skip
 
@@ -177,7 +182,7 @@ def dielectric(shader, m, alpha, scales_radiance):
     """Glass of the description `m`. Cycles keeps radiance as it is at a refraction. With `scales_radiance` the factor
     ior^2 on entry and 1 / ior^2 on exit is put in; a camera path meets it the other way round: 1 / ior^2 at a front
     (outside) hit, ior^2 at a back hit. Without it the Glass BSDF is the same thing with less noise."""
-    colour, ior, distribution = m["colour"], m["ior"], "GGX" if alpha > 0 else "SHARP"
+    colour, ior, distribution = m["colour"], m["ior"], distribution_of(alpha)
     common = {"Roughness": math.sqrt(alpha), "IOR": ior}
     if not scales_radiance:
         node = shader.node("ShaderNodeBsdfGlass", {"Color": colour, **common}, distribution=distribution)

@@ -117,8 +117,9 @@ def make_mesh(name, triangles, materials):
 
 
 def set_normals(mesh, normals):
-    mesh.use_auto_smooth = True  # Blender ignores custom normals otherwise.
-    mesh.auto_smooth_angle = math.pi
+    if bpy.app.version < (4, 1):  # which ignores custom normals otherwise; 4.1 has dropped the property
+        mesh.use_auto_smooth = True
+        mesh.auto_smooth_angle = math.pi
     mesh.normals_split_custom_set_from_vertices(list(zip(normals[0::3], normals[1::3], normals[2::3])))
 
 
