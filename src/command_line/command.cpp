@@ -185,8 +185,11 @@ Option Command::add_flag(const std::string& names, bool& value, const std::strin
 }
 
 void Command::refuse_option(const std::string& name, const std::string& message) const {
-  app_->add_option_function<std::string>(name, [](const std::string& /*value*/) {})
-      ->check({[=](const std::string& /*value*/) { return message; }, ""})
+  // Not by a check: CLI11 puts the option's name before the message, and an option that the help does not
+  // list has none.
+  app_->add_option_function<std::string>(
+          name, [=](const std::string& /*value*/) { throw CLI::ValidationError(name, message); })
+      ->expected(0, 1)
       ->group("");
 }
 

@@ -67,7 +67,11 @@ TEST(Bench, PixelsAreNoSize) {
   for (const char* command : {"bench", "probe", "stability", "effect-cost"}) {
     const auto answer = sandbox.orbs({command, "--size", "64"});
     EXPECT_EQ(answer.status, 2) << command;
+    EXPECT_EQ(answer.text.find("orbs: --size: is a share"), 0u) << answer.text;
     EXPECT_NE(answer.text.find("--side 64"), std::string::npos) << answer.text;
+    const auto without = sandbox.orbs({command, "--size"});
+    EXPECT_EQ(without.status, 2) << command;
+    EXPECT_EQ(without.text.find("orbs: --size"), 0u) << without.text;
     EXPECT_EQ(sandbox.orbs({command, "--help"}).text.find("--size"), std::string::npos) << command;
   }
 }

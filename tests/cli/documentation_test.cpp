@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "cli/program.h"
 #include "cli/sandbox.h"
+#include "cli/shown_commands.h"
 
 #include <filesystem>
 #include <map>
@@ -69,36 +70,6 @@ std::map<std::string, std::string> help_of_commands(const Sandbox& sandbox) {
   return help;
 }
 
-// The command that a line of the shell calls, "" when it is none of ours: longest name first, since "orbs
-// renderer add" begins like others.
-std::string command_in(const std::string& line, const std::map<std::string, std::string>& help) {
-  std::string found;
-  for (const auto& [name, text] : help)
-    if ((line + " ").starts_with(name + " ") && name.size() > found.size()) found = name;
-  return found;
-}
-
-// A line without its comment, and with "orbs" for the path of the program.
-std::string shell_line(const std::string& text) {
-  auto line = std::string(trim(text.substr(0, text.find("  #"))));
-  if (line.starts_with("build/release/orbs ")) line = line.substr(std::string("build/release/").size());
-  return line;
-}
-
-struct ShownCommand {
-  std::string place;
-  std::string line;
-};
-
-std::vector<ShownCommand> shown_commands() {
-  std::vector<ShownCommand> out;
-  for (const auto& page : structure::pages_below(kRoot))
-    for (const auto& code : page.code)
-      if (const auto line = shell_line(code.text); code.language == "sh" && line.starts_with("orbs "))
-        out.push_back({fmt::format("{}:{}: ", fs::relative(page.file, kRoot).string(), code.number), line});
-  return out;
-}
-
 // As Markdown shows them: not as the letters of a table, of HTML or of emphasis.
 std::string escaped(const std::string& text) {
   std::string out;
@@ -132,6 +103,27 @@ std::vector<std::pair<std::string, command_line::Command>> all_commands(const co
       out.emplace_back(fmt::format("orbs {} {}", command.name(), second.name()), second);
   }
   return out;
+}
+
+// What the program says of a command line that it does not read; "" of one that it does. A sentence may name
+// options without their values and a command without what it needs: then only names are looked at.
+std::string complaint_about(const std::string& line, bool is_whole) {
+  const cli::Program program{"", ORBS_BINARY_DIR, {}};
+  const command_line::Program parser("orbs", "", "");
+  cli::Action action;
+  const auto all = parser.command();
+  cli::add_commands(all, program, action);
+  auto words = cli_tests::shell_words(line);
+  std::vector<char*> arguments;
+  arguments.reserve(words.size());
+  for (auto& word : words) arguments.push_back(word.data());
+  const auto parsed = parser.parse(static_cast<int>(arguments.size()), arguments.data());
+  if (parsed.problem.empty()) return {};
+  const auto complaint = cli::parse_complaint(parsed, all);
+  const bool lacks_something = complaint.find("needs a value") != std::string::npos ||
+                               complaint.find("is required") != std::string::npos ||
+                               complaint.find("needs a command") != std::string::npos;
+  return !is_whole && lacks_something ? "" : complaint;
 }
 
 bool is_cheap(const std::string& line) {
@@ -188,32 +180,31 @@ TEST(CommandsPage, SaysOfEachOptionWhatTheHelpSays) {
   EXPECT_EQ(structure::check_generated_part(page, "commands", list), "");
 }
 
-TEST(ShownCommands, HaveOptionsThatTheProgramHas) {
-  const Sandbox sandbox;
-  const auto help = help_of_commands(sandbox);
-  const auto shown = shown_commands();
-  ASSERT_GE(shown.size(), 10u) << "the pages are no longer read correctly";
-  for (const auto& [place, line] : shown) {
-    const auto command = command_in(line, help);
-    if (command.empty()) {
-      EXPECT_TRUE(line == "orbs --help" || line == "orbs --version") << place << line;
-      continue;
-    }
-    const auto listed = listed_options(help.at(command));
-    for (const auto& option : options_in(line.substr(0, line.find(" -- "))))
-      EXPECT_TRUE(listed.contains(option)) << place << command << " has no " << option;
-  }
+// The parser is that of the program, so that an option which is not there, one that is refused, a value out
+// of its range and a word in the wrong place are all found. Nothing is done.
+TEST(ShownCommands, AreReadByTheProgram) {
+  const auto shown = cli_tests::shown_commands();
+  ASSERT_GE(shown.size(), 250u) << "the pages are no longer read correctly";
+  for (const auto& [place, line, is_of_block] : shown)
+    EXPECT_EQ(complaint_about(line, is_of_block), "") << place << line;
 }
 
 TEST(ShownCommands, ThatAreCheapSucceed) {
   const Sandbox sandbox;
   int tried = 0;
-  for (const auto& [place, line] : shown_commands()) {
-    if (!is_cheap(line)) continue;
+  for (const auto& [place, line, is_of_block] : cli_tests::shown_commands()) {
+    if (!is_of_block || !is_cheap(line)) continue;
     const auto answer = sandbox.shell(fmt::format("cd '{}' && '{}/{}", kRoot.string(), ORBS_BINARY_DIR,
                                                   "orbs'" + line.substr(std::string("orbs").size())));
     EXPECT_EQ(answer.status, 0) << place << line << "\n" << answer.text;
     ++tried;
   }
   EXPECT_GE(tried, 4) << "the pages are no longer read correctly";
+}
+
+TEST(ShownCommands, AreSplitAsAShellDoes) {
+  using Words = std::vector<std::string>;
+  EXPECT_EQ(cli_tests::shell_words("orbs run -c 'm*' \"a b\" x\\ y # all"),
+            (Words{"orbs", "run", "-c", "m*", "a b", "x y"}));
+  EXPECT_EQ(cli_tests::shell_words("orbs list --json | jq ."), (Words{"orbs", "list", "--json"}));
 }
