@@ -43,7 +43,6 @@ build | libopenexr-dev      | openexr-devel       | openexr       | OpenEXR 3
 build | libpng-dev          | libpng-devel        | libpng        | libpng
 build | libopenimageio-dev  | OpenImageIO-devel   | openimageio   | OpenImageIO 2 (all other image formats)
 build | libembree-dev       | embree-devel        | embree        | Embree with TBB
-build | libcpp-httplib-dev  | cpp-httplib-devel   | cpp-httplib   | cpp-httplib
 build | zlib1g-dev          | zlib-devel          | zlib          | zlib
 build | libtinygltf-dev     | tinygltf-devel      | tinygltf      | tinygltf
 build | libgtest-dev        | gtest-devel         | gtest         | GoogleTest (the tests are part of every build)

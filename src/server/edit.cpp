@@ -6,7 +6,7 @@
 #include "json/document.h"
 #include "json/field_reader.h"
 #include "report/file_change.h"
-#include "server/request_gate.h"
+#include "server/http.h"
 
 #include <optional>
 
@@ -58,9 +58,9 @@ results::RunRecord record_of(Site& site, const EditRequest& request) {
 
 }  // namespace
 
-void answer_edit(Site& site, const httplib::Request& request, httplib::Response& response) {
+void answer_edit(Site& site, const Request& request, Response& response) {
   set_safe_headers(response);
-  if (request.path != "/edit/known-failure") return refuse(response, 404, "there is nothing here");
+  if (path_of(request) != "/edit/known-failure") return refuse(response, 404, "there is nothing here");
   try {
     const auto asked = request_of(request.body);
     const auto record = record_of(site, asked);
@@ -77,7 +77,7 @@ void answer_edit(Site& site, const httplib::Request& request, httplib::Response&
       site.editor->write(edited.file, edited.after);
       change.written = true;
     }
-    response.set_content(report::file_change_json(change), "application/json; charset=utf-8");
+    set_content(response, report::file_change_json(change), "application/json; charset=utf-8");
   } catch (const InputError& e) {
     refuse(response, 422, e.what());
   }

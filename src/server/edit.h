@@ -5,6 +5,6 @@
 namespace orbs::server {
 
 /// Answers one admitted POST: shows what an edit makes of the user's configuration file, or writes it.
-void answer_edit(Site& site, const httplib::Request& request, httplib::Response& response);
+void answer_edit(Site& site, const Request& request, Response& response);
 
 }  // namespace orbs::server

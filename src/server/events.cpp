@@ -1,7 +1,5 @@
 #include "server/events.h"
 
-#include "server/request_gate.h"
-
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -41,7 +39,11 @@ std::string event_text(std::uint64_t version, const std::string& json) {
   return fmt::format("id: {}\nevent: progress\ndata: {}\n\n", version, line);
 }
 
-bool send_next(const std::atomic<bool>* stop, ServedRun& run, Listener& listener, httplib::DataSink& sink) {
+// False when nothing more is to be sent.
+bool send_next(const std::atomic<bool>* stop,
+               ServedRun& run,
+               Listener& listener,
+               const Connection& connection) {
   const auto version = run.version();
   const auto now = std::chrono::steady_clock::now();
   std::string text;
@@ -53,19 +55,16 @@ bool send_next(const std::atomic<bool>* stop, ServedRun& run, Listener& listener
   }
   if (!text.empty()) {
     listener.last_word = now;
-    if (!sink.write(text.data(), text.size())) return false;
+    if (!connection.send(text)) return false;
   }
-  if (!run.is_live() || (stop != nullptr && stop->load())) {
-    sink.done();
-    return true;
-  }
+  if (!run.is_live() || (stop != nullptr && stop->load())) return false;
   std::this_thread::sleep_for(kPause);
-  return sink.is_writable();
+  return connection.is_open();
 }
 
 }  // namespace
 
-void send_events(EventClients& clients, ServedRun& run, httplib::Response& response) {
+void send_events(EventClients& clients, ServedRun& run, Response& response) {
   if (!run.is_live()) {
     response.status = 204;
     return;
@@ -73,10 +72,12 @@ void send_events(EventClients& clients, ServedRun& run, httplib::Response& respo
   if (clients.count >= kMostListeners) return refuse(response, 503, "too many pages follow this run");
   const auto listener = std::make_shared<Listener>(clients.count);
   listener->last_word = std::chrono::steady_clock::now();
-  response.set_chunked_content_provider(
-      "text/event-stream", [stop = clients.stop, &run, listener](std::size_t, httplib::DataSink& sink) {
-        return send_next(stop, run, *listener, sink);
-      });
+  response.type = "text/event-stream";
+  response.content =
+      Streamed{std::nullopt, [stop = clients.stop, &run, listener](const Connection& connection) {
+                 while (send_next(stop, run, *listener, connection)) {
+                 }
+               }};
 }
 
 }  // namespace orbs::server

@@ -1,10 +1,9 @@
 #pragma once
 
+#include "server/http.h"
 #include "server/served.h"
 
 #include <atomic>
-
-#include <httplib.h>
 
 namespace orbs::server {
 
@@ -16,6 +15,6 @@ struct EventClients {
 
 /// Progress of a run as server-sent events (HTML standard, section 9.2) until it ends; 204 when it has ended,
 /// which tells browsers not to ask again. `clients` and `run` must outlive the answer.
-void send_events(EventClients& clients, ServedRun& run, httplib::Response& response);
+void send_events(EventClients& clients, ServedRun& run, Response& response);
 
 }  // namespace orbs::server

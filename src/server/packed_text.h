@@ -1,12 +1,10 @@
 #pragma once
 
 #include "report/packed_image.h"
-#include "server/request_gate.h"
+#include "server/http.h"
 
 #include <string>
 #include <utility>
-
-#include <httplib.h>
 
 namespace orbs::server {
 
@@ -24,14 +22,10 @@ inline PackedText packed_text(std::string plain) {
 }
 
 /// Answers with the gzip if the client reads it, otherwise with the text.
-inline void send_text(const httplib::Request& request,
-                      const PackedText& text,
-                      const char* type,
-                      httplib::Response& response) {
-  response.set_header("Vary", "Accept-Encoding");
-  if (!request.has_header(kReadsGzip)) return response.set_content(text.plain, type);
-  response.set_header("Content-Encoding", "gzip");
-  response.set_content(text.gzipped, type);
+inline void send_text(const Request& request, const PackedText& text, const char* type, Response& response) {
+  response.headers.emplace_back("Vary", "Accept-Encoding");
+  if (request.reads_gzip) response.headers.emplace_back("Content-Encoding", "gzip");
+  set_content(response, request.reads_gzip ? text.gzipped : text.plain, type);
 }
 
 }  // namespace orbs::server

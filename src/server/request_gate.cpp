@@ -13,11 +13,6 @@
 
 namespace orbs::server {
 
-void refuse(httplib::Response& response, int status, const std::string& reason) {
-  response.status = status;
-  response.set_content(reason + "\n", "text/plain; charset=utf-8");
-}
-
 namespace {
 
 using MaybeRefusal = std::optional<Refusal>;  // none if the request may pass
@@ -34,12 +29,6 @@ std::string lower(std::string_view text) {
   std::transform(out.begin(), out.end(), out.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return out;
-}
-
-int hex_digit(char c) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  const auto at = kDigits.find(static_cast<char>(std::tolower(static_cast<unsigned char>(c))));
-  return at == std::string_view::npos ? -1 : static_cast<int>(at);
 }
 
 bool is_utf8(std::string_view text) {
@@ -171,28 +160,7 @@ std::optional<std::vector<std::string_view>> lines_of(std::string_view head) {
   return lines;
 }
 
-Admitted admitted_edit(const std::string& target, const Headers& headers) {
-  const auto bytes = static_cast<std::size_t>(*to_integer(headers.at("content-length")));
-  return {fmt::format("POST {} HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n"
-                      "Content-Type: application/json\r\nContent-Length: {}\r\n\r\n",
-                      target, bytes),
-          bytes};
-}
-
 }  // namespace
-
-std::string decoded(std::string_view text) {
-  std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '%' && i + 2 < text.size() && hex_digit(text[i + 1]) >= 0 && hex_digit(text[i + 2]) >= 0) {
-      out += static_cast<char>(16 * hex_digit(text[i + 1]) + hex_digit(text[i + 2]));
-      i += 2;
-    } else {
-      out += text[i];
-    }
-  }
-  return out;
-}
 
 std::variant<Admitted, Refusal> check_request(std::string_view head, const GateSettings& settings) {
   if (head.size() > kMostHeadBytes) return Refusal{431, "the headers are too long"};
@@ -203,37 +171,12 @@ std::variant<Admitted, Refusal> check_request(std::string_view head, const GateS
   const bool has_body = is_edit(words, settings);
   Headers headers;
   if (auto refusal = check_headers(*lines, has_body, settings, headers)) return *refusal;
+  Admitted admitted{{words[0], words[1], reads_gzip(*lines)}};
   if (has_body) {
     if (auto refusal = check_edit(headers, *settings.edit)) return *refusal;
-    return admitted_edit(words[1], headers);
+    admitted.body_bytes = static_cast<std::size_t>(*to_integer(headers.at("content-length")));
   }
-  const auto gzip = reads_gzip(*lines) ? fmt::format("{}: 1\r\n", kReadsGzip) : "";
-  return Admitted{fmt::format("{} {} HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n{}\r\n", words[0],
-                              words[1], gzip)};
-}
-
-std::string_view status_text(int status) {
-  struct Known {
-    int status;
-    std::string_view text;
-  };
-  constexpr std::array kKnown{Known{400, "400 Bad Request"},
-                              Known{403, "403 Forbidden"},
-                              Known{404, "404 Not Found"},
-                              Known{405, "405 Method Not Allowed"},
-                              Known{408, "408 Request Timeout"},
-                              Known{411, "411 Length Required"},
-                              Known{413, "413 Content Too Large"},
-                              Known{414, "414 URI Too Long"},
-                              Known{415, "415 Unsupported Media Type"},
-                              Known{421, "421 Misdirected Request"},
-                              Known{422, "422 Unprocessable Content"},
-                              Known{431, "431 Request Header Fields Too Large"},
-                              Known{503, "503 Service Unavailable"},
-                              Known{505, "505 HTTP Version Not Supported"}};
-  for (const auto& known : kKnown)
-    if (known.status == status) return known.text;
-  return "500 Internal Server Error";
+  return admitted;
 }
 
 }  // namespace orbs::server

@@ -10,7 +10,7 @@
 #include "json/writer.h"
 #include "report/packed_image.h"
 #include "results/study_kinds.h"
-#include "server/request_gate.h"
+#include "server/http.h"
 #include "studies/cost/change_text.h"
 #include "studies/cost/json.h"
 
@@ -45,14 +45,11 @@ constexpr std::array kBundle{BundleEntry{"index.html", "text/html; charset=utf-8
 constexpr const char* kJson = "application/json; charset=utf-8";
 constexpr const char* kText = "text/plain; charset=utf-8";
 
-bool send_bundle_file(const Site& site,
-                      const httplib::Request& request,
-                      std::string_view path,
-                      httplib::Response& response) {
+bool send_bundle_file(const Site& site, const Request& request, std::string_view path, Response& response) {
   const auto name = path == "/" ? std::string_view("index.html") : path.substr(1);
   for (const auto& file : site.bundle) {
     if (file.name != name) continue;
-    response.set_header("Content-Security-Policy", kPagePolicy);
+    response.headers.emplace_back("Content-Security-Policy", kPagePolicy);
     send_text(request, file.text, file.type.c_str(), response);
     return true;
   }
@@ -83,18 +80,21 @@ std::string type_of(std::string_view path) {
   return kText;
 }
 
-void send_file(const fs::path& folder, const std::string& path, httplib::Response& response) {
+void send_file(const fs::path& folder, const std::string& path, Response& response) {
   auto file = open_inside(folder, path);
   if (!file) return refuse(response, 404, "there is no such file in this run");
-  response.set_header("Content-Security-Policy", kFilePolicy);
+  response.headers.emplace_back("Content-Security-Policy", kFilePolicy);
   const auto size = static_cast<std::size_t>(file->size());
   const auto shared = std::make_shared<OpenFile>(std::move(*file));
-  response.set_content_provider(size, type_of(path),
-                                [shared](std::size_t offset, std::size_t left, httplib::DataSink& sink) {
-                                  constexpr std::size_t kPiece = 1U << 16U;
-                                  const auto bytes = shared->read(offset, std::min(left, kPiece));
-                                  return !bytes.empty() && sink.write(bytes.data(), bytes.size());
-                                });
+  response.type = type_of(path);
+  response.content = Streamed{size, [shared, size](const Connection& connection) {
+                                constexpr std::size_t kPiece = 1U << 16U;
+                                for (std::size_t sent = 0; sent < size;) {
+                                  const auto bytes = shared->read(sent, std::min(size - sent, kPiece));
+                                  if (bytes.empty() || !connection.send(bytes)) return;
+                                  sent += bytes.size();
+                                }
+                              }};
 }
 
 enum class Form { Packed, Preview };
@@ -111,7 +111,7 @@ void send_image(Site& site,
                 const std::string& path,
                 const std::string& layer,
                 Form form,
-                httplib::Response& response) {
+                Response& response) {
   if (!path.ends_with(".exr")) return refuse(response, 404, "only EXR images are packed");
   const auto file = open_inside(folder, path);
   if (!file) return refuse(response, 404, "there is no such image in this run");
@@ -125,18 +125,12 @@ void send_image(Site& site,
   const auto key =
       fmt::format("{}\n{}\n{}\n{}\n{}", static_cast<int>(form), folder.string(), path, layer, file->state());
   const auto bytes = site.images.get(key, [&] { return image_bytes(*file, path, layer, form); });
-  const auto* const type = form == Form::Preview ? "image/png" : "application/octet-stream";
-  response.set_content_provider(bytes->size(), type,
-                                [bytes](std::size_t offset, std::size_t left, httplib::DataSink& sink) {
-                                  constexpr std::size_t kPiece = 1U << 18U;
-                                  return sink.write(bytes->data() + offset, std::min(left, kPiece));
-                                });
+  response.type = form == Form::Preview ? "image/png" : "application/octet-stream";
+  response.content =
+      Streamed{bytes->size(), [bytes](const Connection& connection) { connection.send(*bytes); }};
 }
 
-void send_target(ServedRun& run,
-                 const httplib::Request& request,
-                 std::string_view name,
-                 httplib::Response& response) {
+void send_target(ServedRun& run, const Request& request, std::string_view name, Response& response) {
   const auto stem = name.ends_with(".json") ? name.substr(0, name.size() - 5) : std::string_view();
   const auto index = to_integer(stem);
   const auto text = index && *index >= 0 ? run.target(static_cast<std::size_t>(*index)) : std::nullopt;
@@ -153,15 +147,12 @@ const std::unique_ptr<Kind>* served_named(Site& site, std::string_view name) {
 }
 
 // What `orbs compare-runs` says of two runs, or of one renderer of each.
-void send_comparison(Site& site,
-                     ServedRun& after,
-                     std::string_view name,
-                     const httplib::Request& request,
-                     httplib::Response& response) {
+void send_comparison(
+    Site& site, ServedRun& after, std::string_view name, const Request& request, Response& response) {
   const auto* const before = served_named<ServedRun>(site, name);
   if (before == nullptr) return refuse(response, 404, "there is no such run");
-  const auto old_renderer = request.get_param_value("ra");
-  const auto new_renderer = request.get_param_value("rb");
+  const auto old_renderer = parameter(request, "ra");
+  const auto new_renderer = parameter(request, "rb");
   const bool is_of_one = !old_renderer.empty() && !new_renderer.empty();
   const auto side = [&](ServedRun& run, const std::string& renderer) {
     return is_of_one ? history::with_renderer(run.record(), renderer, new_renderer) : run.record();
@@ -171,11 +162,8 @@ void send_comparison(Site& site,
 }
 
 // What `orbs compare-runs` says of two studies of cost.
-void send_cost_changes(Site& site,
-                       const ServedStudy& after,
-                       std::string_view name,
-                       const httplib::Request& request,
-                       httplib::Response& response) {
+void send_cost_changes(
+    Site& site, const ServedStudy& after, std::string_view name, const Request& request, Response& response) {
   const auto* const before = served_named<ServedStudy>(site, name);
   if (before == nullptr || (*before)->kind() != results::kCost.name || after.kind() != results::kCost.name)
     return refuse(response, 404, "there is no such study of cost");
@@ -187,11 +175,8 @@ void send_cost_changes(Site& site,
 }
 
 // `path` without "/data/".
-void send_data(Site& site,
-               const httplib::Request& request,
-               const std::string& path,
-               httplib::Response& response) {
-  if (path == "runs.json") return response.set_content(runs_json(site), kJson);
+void send_data(Site& site, const Request& request, const std::string& path, Response& response) {
+  if (path == "runs.json") return set_content(response, runs_json(site), kJson);
   const auto slash = path.find('/');
   const auto number = to_integer(path.substr(0, slash));
   if (slash == std::string::npos || !number || *number < 0 ||
@@ -201,7 +186,7 @@ void send_data(Site& site,
   const auto rest = path.substr(slash + 1);
   const auto after = [&](std::string_view start) { return rest.substr(start.size()); };
   const auto folder = std::visit([](const auto& one) { return one->folder(); }, served);
-  const auto layer = request.get_param_value("layer");
+  const auto layer = parameter(request, "layer");
   if (rest.starts_with("image/"))
     return send_image(site, folder, after("image/"), layer, Form::Packed, response);
   if (rest.starts_with("preview/"))
@@ -244,19 +229,18 @@ std::vector<BundleFile> load_bundle(const std::filesystem::path& folder) {
   return files;
 }
 
-void set_safe_headers(httplib::Response& response) {
-  response.set_header("X-Content-Type-Options", "nosniff");
-  response.set_header("Referrer-Policy", "no-referrer");
-  response.set_header("Cross-Origin-Resource-Policy", "same-origin");
-  response.set_header("Cross-Origin-Opener-Policy", "same-origin");
-  response.set_header("Cache-Control", "no-store");
+void set_safe_headers(Response& response) {
+  response.headers.emplace_back("X-Content-Type-Options", "nosniff");
+  response.headers.emplace_back("Referrer-Policy", "no-referrer");
+  response.headers.emplace_back("Cross-Origin-Resource-Policy", "same-origin");
+  response.headers.emplace_back("Cross-Origin-Opener-Policy", "same-origin");
+  response.headers.emplace_back("Cache-Control", "no-store");
   response.status = 200;
 }
 
-void answer(Site& site, const httplib::Request& request, httplib::Response& response) {
+void answer(Site& site, const Request& request, Response& response) {
   set_safe_headers(response);
-  // Uses the raw request target instead of httplib's decoding, because the gate has checked this decoding.
-  const auto path = decoded(request.target.substr(0, request.target.find('?')));
+  const auto path = path_of(request);
   try {
     if (send_bundle_file(site, request, path, response)) return;
     if (path.starts_with("/data/")) return send_data(site, request, path.substr(6), response);

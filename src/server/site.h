@@ -2,6 +2,7 @@
 
 #include "server/editor.h"
 #include "server/events.h"
+#include "server/http.h"
 #include "server/image_cache.h"
 #include "server/packed_text.h"
 #include "server/served.h"
@@ -12,8 +13,6 @@
 #include <string>
 #include <variant>
 #include <vector>
-
-#include <httplib.h>
 
 /// The addresses of the server:
 ///   /, /page.js, /page.css ...              the bundle
@@ -55,10 +54,10 @@ struct Site {
 std::vector<BundleFile> load_bundle(const std::filesystem::path& folder);
 
 /// Answers one admitted request that changes nothing.
-void answer(Site& site, const httplib::Request& request, httplib::Response& response);
+void answer(Site& site, const Request& request, Response& response);
 
 /// Headers that every answer has: it is not kept, its type is not guessed, and other pages learn nothing of
 /// it.
-void set_safe_headers(httplib::Response& response);
+void set_safe_headers(Response& response);
 
 }  // namespace orbs::server

@@ -14,14 +14,15 @@ std::string feed_request(std::string_view bytes) {
     require(!refused->reason.empty(), "a refusal has a reason");
     return refused->reason;
   }
-  const auto& head = std::get<server::Admitted>(answer).head;
-  require(head.starts_with("GET /") || head.starts_with("HEAD /"), "only GET and HEAD of a path pass");
-  require(head.ends_with("\r\n\r\n") && head.find("\r\n\r\n") + 4 == head.size(), "one head passes");
-  require(std::all_of(head.begin(), head.end(),
-                      [](unsigned char c) { return std::isprint(c) != 0 || c == '\r' || c == '\n'; }),
-          "only printable characters pass");
-  const auto target = head.substr(head.find(' ') + 1, head.find(" HTTP/") - head.find(' ') - 1);
-  const auto path = server::decoded(target.substr(0, target.find('?')));
+  const auto& [request, body_bytes] = std::get<server::Admitted>(answer);
+  require(request.method == "GET" || request.method == "HEAD", "only GET and HEAD pass");
+  require(body_bytes == 0, "no body passes");
+  require(
+      request.target.starts_with('/') && std::all_of(request.target.begin(), request.target.end(),
+                                                     [](unsigned char c) { return std::isgraph(c) != 0; }),
+      "only a path of printable characters passes");
+  server::parameter(request, "layer");
+  const auto path = server::path_of(request);
   require((path + "/").find("/../") == std::string::npos && path.find('\0') == std::string::npos,
           "no path leads up");
   return "";

@@ -212,15 +212,34 @@ TEST(ServerAttack, OneConnectionCarriesOneRequest) {
   EXPECT_EQ(answer.find("HTTP/1.1", 8), std::string::npos);
 }
 
-// Clients that say nothing, or too little, keep nobody else waiting.
-TEST(ServerAttack, SlowClientsDoNotStopTheOthers) {
-  std::vector<int> silent;
-  for (int i = 0; i < 100; ++i) {
-    silent.push_back(connect_to(server().port()));
-    ::send(silent.back(), "GET / HTT", 9, MSG_NOSIGNAL);
+// Clients that say nothing, or too little, keep nobody else waiting: the answer comes while all of them are
+// still there, and their time is not up for as long as any test may take.
+TEST(ServerAttack, HalfRequestsHoldNoAnswer) {
+  const RunningServer patient(target().run, std::chrono::hours(1));
+  std::vector<int> halves;
+  for (int i = 0; i < 300; ++i) {
+    halves.push_back(connect_to(patient.port()));
+    ::send(halves.back(), "GET /page.js HTT", i % 2 == 0 ? 16 : 1, MSG_NOSIGNAL);
   }
-  EXPECT_EQ(status_of(server().get("/data/runs.json")), 200);
-  for (const int sock : silent) ::close(sock);
+  EXPECT_EQ(status_of(patient.get("/data/runs.json")), 200);
+  const std::string rest = "P/1.1\r\nHost: localhost\r\n\r\n";
+  EXPECT_EQ(body_of(answer_to(halves[0], rest)), "page.js") << "the first half request was still open";
+  EXPECT_EQ(body_of(answer_to(halves[298], rest)), "page.js");
+  for (const int sock : halves) ::close(sock);
+}
+
+// A process has only so many files: whoever has sent half a request for longest makes room for the next.
+TEST(ServerAttack, WhenAllPlacesAreTakenTheOldestHalfRequestGoes) {
+  const RunningServer patient(target().run, std::chrono::hours(1));
+  std::vector<int> halves;
+  for (int i = 0; i < 330; ++i) {
+    halves.push_back(connect_to(patient.port()));
+    ::send(halves.back(), "GET /page.js HTT", 16, MSG_NOSIGNAL);
+  }
+  EXPECT_EQ(status_of(patient.get("/data/runs.json")), 200);
+  EXPECT_EQ(status_of(answer_to(halves.front(), "")), 503);
+  EXPECT_EQ(body_of(answer_to(halves.back(), "P/1.1\r\nHost: localhost\r\n\r\n")), "page.js");
+  for (const int sock : halves) ::close(sock);
 }
 
 TEST(ServerAttack, ARequestThatTakesTooLongIsEnded) {

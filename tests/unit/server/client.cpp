@@ -16,12 +16,12 @@ namespace orbs::server_tests {
 namespace fs = std::filesystem;
 
 RunningServer::RunningServer(const fs::path& run,
-                             std::chrono::milliseconds head_timeout,
+                             std::chrono::milliseconds request_timeout,
                              std::optional<server::Editor> editor) {
   for (const char* name : {"index.html", "page.js", "page.css", "icon.svg"})
     write_file(bundle_.path() / name, name);
-  thread_ = std::thread([this, run, head_timeout, editor] {
-    server::serve({{run}, bundle_.path(), "127.0.0.1", 0, head_timeout, editor}, stop_,
+  thread_ = std::thread([this, run, request_timeout, editor] {
+    server::serve({{run}, bundle_.path(), "127.0.0.1", 0, request_timeout, editor}, stop_,
                   [this](const std::string& url) {
                     constexpr std::string_view kBefore = "#edit=";
                     if (const auto at = url.find(kBefore); at != std::string::npos)
@@ -50,16 +50,20 @@ int connect_to(int port) {
   return sock;
 }
 
-std::string RunningServer::talk(const std::string& bytes) const {
-  const int sock = connect_to(port_);
+std::string answer_to(int sock, const std::string& bytes) {
   ::send(sock, bytes.data(), bytes.size(), MSG_NOSIGNAL);
   std::string answer;
   std::array<char, 4096> piece{};
   for (;;) {
     const auto count = ::recv(sock, piece.data(), piece.size(), 0);
-    if (count <= 0) break;
+    if (count <= 0) return answer;
     answer.append(piece.data(), static_cast<std::size_t>(count));
   }
+}
+
+std::string RunningServer::talk(const std::string& bytes) const {
+  const int sock = connect_to(port_);
+  const auto answer = answer_to(sock, bytes);
   ::close(sock);
   return answer;
 }

@@ -16,7 +16,7 @@ namespace orbs::server_tests {
 class RunningServer {
  public:
   explicit RunningServer(const std::filesystem::path& run,
-                         std::chrono::milliseconds head_timeout = server::ServeSettings{}.head_timeout,
+                         std::chrono::milliseconds request_timeout = server::ServeSettings{}.request_timeout,
                          std::optional<server::Editor> editor = {});
   ~RunningServer();
   RunningServer(const RunningServer&) = delete;
@@ -46,5 +46,8 @@ std::string body_of(const std::string& answer);
 
 /// A connected socket; the caller closes it.
 int connect_to(int port);
+
+/// All that comes back on this socket after `bytes` are sent, until the server closes it.
+std::string answer_to(int sock, const std::string& bytes);
 
 }  // namespace orbs::server_tests
