@@ -1,7 +1,5 @@
 # Read by ./bootstrap: installs packages with apt-get, waits for its lock, and says the true reason when it fails.
 
-apt_log=$here/build/apt.log
-
 # A fresh cloud machine updates itself for minutes. apt-get has a lock of its own on each of its three folders, and can
 # wait for one of them alone (DPkg::Lock::Timeout), so the waiting is ours: so many times so many seconds.
 apt_lock_tries=60
@@ -103,12 +101,14 @@ apt_install() {
   if ((EUID != 0)) && ! command -v sudo >/dev/null; then
     fail "to install them, run as root:  apt-get update && apt-get install --no-install-recommends $*"
   fi
-  mkdir -p "$(dirname -- "$apt_log")"
+  # Not in the build folder, which a user without root must be able to write to afterwards.
+  apt_log=$(mktemp "${TMPDIR:-/tmp}/orbs-apt-XXXXXX")
+  trap 'rm -f "$apt_log"' EXIT
   say "installing them with apt-get"
   # With an old list, or for a source of the user's own that does not answer, it may still do.
   apt_get update || { update_failed=yes; say "apt-get update failed: $(apt_reason)"; }
   if log_says "$no_network"; then update_failed=yes; fi
   check_candidates "$@"
-  if ((${#found[@]} == 0)); then return; fi
-  apt_get install --yes --no-install-recommends "${found[@]}" || fail "apt-get could not install ${found[*]}: $(apt_reason)"
+  if ((${#found[@]} > 0)); then apt_get install --yes --no-install-recommends "${found[@]}" || fail "apt-get could not install ${found[*]}: $(apt_reason)"; fi
+  rm -f "$apt_log"
 }

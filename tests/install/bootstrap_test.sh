@@ -24,7 +24,7 @@ system() {  # <ID> <VERSION_ID> <PRETTY_NAME> [ID_LIKE]
 # Programs of a machine on which nothing is installed: the plain ones of this machine, and ours. `apt-get update` and
 # `apt-get install` first answer with the files that a test has put there, one each time.
 program() { cat >"$folder/bin/$1"; chmod +x "$folder/bin/$1"; }
-for name in bash cat env grep sed awk sort head tail tee mkdir dirname tr uname rm printf mv; do
+for name in mktemp bash cat env grep sed awk sort head tail tee mkdir dirname tr uname rm printf mv; do
   ln -s "$(command -v "$name")" "$folder/plain/$name"
 done
 program sudo <<'TEXT'
@@ -87,8 +87,13 @@ says_not blender
 bootstrap 0 packages test
 says python3-numpy
 bootstrap 2 packages nothing
+bootstrap 0 install fuzz
+[[ ! -e "$folder/check out/build" ]] || fail "root has made a folder in which others cannot write"
+calls "apt-get .*install .* libclang-rt-dev"
+calls_not "install .*blender"
 
 echo "2. Fedora and Arch: the names of their packages"
+fresh
 system fedora 43 "Fedora Linux 43"
 bootstrap 2 run
 says "Fedora Linux 43: install as root:  dnf install gcc-c++ cmake ninja-build fmt-devel"
