@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "image/exr_check.h"
+#include "image/rec709.h"
 #include "image/reduced_precision.h"
 
 #include <algorithm>
@@ -142,22 +143,11 @@ void check_channels(const Imf::ChannelList& list, const std::vector<std::string>
   }
 }
 
-// Numbers of other primaries mean other colours. They are refused and not converted, since a conversion would
-// correlate the noise of the channels, and what the renderer states of their variances would no longer hold.
 void check_chromaticities(const Imf::Header& header) {
   if (!Imf::hasChromaticities(header)) return;
-  constexpr float kLastDigit = 0.001F;  // programs write them with three or four digits
-  const auto numbers = [](const Imf::Chromaticities& c) {
-    return std::array{c.red.x, c.red.y, c.green.x, c.green.y, c.blue.x, c.blue.y, c.white.x, c.white.y};
-  };
-  const auto found = numbers(Imf::chromaticities(header));
-  const auto rec709 = numbers({});
-  for (std::size_t i = 0; i < found.size(); ++i)
-    if (!(std::fabs(found.at(i) - rec709.at(i)) <= kLastDigit))
-      throw InputError(
-          fmt::format("its chromaticities (red, green, blue, white) are {:.4g}, expected those of Rec.709, "
-                      "{:.4g}; write linear Rec.709",
-                      fmt::join(found, " "), fmt::join(rec709, " ")));
+  const auto c = Imf::chromaticities(header);
+  check_rec709("chromaticities",
+               {c.red.x, c.red.y, c.green.x, c.green.y, c.blue.x, c.blue.y, c.white.x, c.white.y});
 }
 
 // Six faces below each other are no picture that texture coordinates or pixels could mean.

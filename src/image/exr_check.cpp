@@ -24,6 +24,12 @@ constexpr std::uint32_t kDeep = 0x800;
 constexpr std::uint32_t kMultipart = 0x1000;
 constexpr std::size_t kLongestName = 255;
 
+// What the library keeps of the headers of a file, several times over. The largest that are meant are
+// manifests of a few megabytes and previews.
+constexpr std::size_t kMostHeaderBytes = std::size_t{16} << 20;
+constexpr std::size_t kMostAttributes = 10000;
+constexpr std::size_t kMostInList = 4096;  // channels, or texts of one attribute
+
 // Bytes of an attribute's value by its type. The library reads as many for every size that the file states,
 // and then goes on at another place than we.
 std::optional<std::size_t> size_of_type(std::string_view type) {
@@ -106,20 +112,28 @@ Lengths lengths_of(std::string_view value) {
   return {box[2] - box[0] + 1, box[3] - box[1] + 1};
 }
 
+void check_count(std::size_t count, const char* what) {
+  if (count > kMostInList)
+    throw InputError(
+        fmt::format("the EXR header has more than {} {}; write it with fewer", kMostInList, what));
+}
+
 double channels_of(std::string_view value) {
   Reader in(value);
-  double count = 0;
+  std::size_t count = 0;
   for (; !in.skip_zero(); ++count) {
     constexpr std::size_t kBytesOfChannel = 16;  // type, a flag, and the sampling
     in.name();
     in.take(kBytesOfChannel);
+    check_count(count + 1, "channels");
   }
   if (in.left() != 0 || count == 0) throw InputError("the list of EXR channels does not hold together");
-  return count;
+  return static_cast<double>(count);
 }
 
 void check_string_vector(std::string_view value) {
-  for (Reader in(value); in.left() > 0;) in.take(in.word());
+  std::size_t count = 0;
+  for (Reader in(value); in.left() > 0; check_count(++count, "texts in one attribute")) in.take(in.word());
 }
 
 void check_preview(std::string_view value) {
@@ -164,12 +178,27 @@ void note_attribute(Part& part, std::string_view name, std::string_view type, st
     throw InputError("holds deep pixels, expected a flat image");
 }
 
-Part read_part(Reader& in) {
+// Of all parts: what a reader may still take of their headers.
+struct HeaderLimit {
+  std::size_t attributes = kMostAttributes;
+  std::size_t end;  // bytes of the file that are left where the headers must have ended
+};
+
+void check_limit(HeaderLimit& limit, const Reader& in) {
+  if (limit.attributes-- == 0 || in.left() < limit.end)
+    throw InputError(
+        fmt::format("its EXR header has more than {} MiB or {} attributes, which no image needs; "
+                    "write it without what is not about the image",
+                    kMostHeaderBytes >> 20U, kMostAttributes));
+}
+
+Part read_part(Reader& in, HeaderLimit& limit) {
   Part part;
   while (!in.skip_zero()) {
     const auto name = in.name();
     const auto type = in.name();
     const auto value = in.take(in.word());
+    check_limit(limit, in);
     check_attribute(name, type, value);
     note_attribute(part, name, type, value);
   }
@@ -211,8 +240,9 @@ void check_exr(std::string_view bytes) {
     throw InputError(fmt::format("is an EXR file of an unknown version, {:#x}", version));
   if ((version & kDeep) != 0) throw InputError("holds deep pixels, expected a flat image");
   double places_left = static_cast<double>(bytes.size()) / 8;
+  HeaderLimit limit{.end = bytes.size() - std::min(bytes.size(), kMostHeaderBytes)};
   do {
-    const Part part = read_part(in);
+    const Part part = read_part(in, limit);
     if (part.tile.has_value() != ((version & kTiled) != 0) && (version & kMultipart) == 0)
       throw InputError("the EXR header does not agree with itself on whether there are tiles");
     check_memory(part, bytes.size(), places_left);

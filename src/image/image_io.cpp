@@ -7,7 +7,9 @@
 #include "image/exr.h"
 #include "image/format_module.h"
 #include "image/image.h"
+#include "image/pfm.h"
 #include "image/png.h"
+#include "image/radiance.h"
 
 #include <algorithm>
 #include <array>
@@ -15,6 +17,7 @@
 #include <cmath>
 #include <exception>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <system_error>
 
@@ -101,11 +104,16 @@ constexpr std::uintmax_t kMostBytes = 8 * static_cast<std::uintmax_t>(kMostValue
   throw InputError(fmt::format("{}: {}", file.string(), problem));
 }
 
-std::string format_of(const std::filesystem::path& file) {
+std::string lower_extension(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   if (!extension.empty()) extension.erase(0, 1);
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+std::string format_of(const std::filesystem::path& file) {
+  const auto extension = lower_extension(file);
   if (std::find(kFormats.begin(), kFormats.end(), extension) == kFormats.end())
     refuse(file,
            fmt::format("no image format is known by this name; known are .{}", fmt::join(kFormats, " .")));
@@ -138,11 +146,13 @@ auto guarded(const std::filesystem::path& file, F&& work) {
 Contents contents_of(const std::filesystem::path& file, Wanted wanted) {
   check_file(file);
   const std::string format = format_of(file);
-  if (format != "exr" && format != "png")
-    return guarded(file, [&] { return read_other_format(file, format, wanted); });
+  static const std::set<std::string> kOwn{"exr", "hdr", "pfm", "png"};
+  if (!kOwn.contains(format)) return guarded(file, [&] { return read_other_format(file, format, wanted); });
   const std::string bytes = read_file(file);
   return guarded(file, [&]() -> Contents {
     if (format == "exr") return {decoded_exr(file.string(), bytes, wanted), false};
+    if (format == "hdr") return {decoded_radiance(bytes, wanted), false};
+    if (format == "pfm") return {decoded_pfm(bytes, wanted), false};
     return {decoded_png(bytes, wanted), true};
   });
 }
@@ -217,6 +227,13 @@ Image read_linear_rgb(const std::filesystem::path& file, Encoded encoded) {
   return linear;
 }
 
+Image read_rgb_with_steps(const std::filesystem::path& file) {
+  if (format_of(file) != "hdr") return read_linear_rgb(file);
+  check_file(file);
+  const std::string bytes = read_file(file);
+  return guarded(file, [&] { return decoded_radiance_with_steps(bytes); });
+}
+
 void write_exr(const Image& image,
                const std::filesystem::path& file,
                Precision precision,
@@ -235,6 +252,19 @@ void write_png(const Image& image, const std::filesystem::path& file) {
 
 std::string png_bytes(const Image& image) {
   return guarded("image.png", [&] { return encoded_png(image); });
+}
+
+bool is_image_name(const std::filesystem::path& file) {
+  const auto extension = lower_extension(file);
+  return std::find(kFormats.begin(), kFormats.end(), extension) != kFormats.end();
+}
+
+bool looks_like_image(const std::filesystem::path& file) {
+  static const std::set<std::string> kOthers{"avif", "cin", "dds",  "dpx",  "gif",  "heic", "jfif", "jp2",
+                                             "jpe",  "jxl", "ktx",  "ktx2", "pam",  "phm",  "pic",  "pnm",
+                                             "psd",  "qoi", "rgb",  "rgba", "rgbe", "sgi",  "sxr",  "tif",
+                                             "tiff", "tx",  "webp", "xyze", "zfile"};
+  return is_image_name(file) || kOthers.contains(lower_extension(file));
 }
 
 bool is_float_format(const std::filesystem::path& file) {

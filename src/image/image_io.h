@@ -15,8 +15,8 @@ namespace orbs::image {
 /// first. Channel names are kept ("R", "G", "B" come first), values are as stored (no colour conversion: an
 /// 8-bit 255 is 1.0), of the attributes those that are text and not empty. InputError with the reason when
 /// the file is missing, torn, too large to be meant, cropped, or no image, or has colours that are 32-bit
-/// integers; nothing is printed. EXR and PNG are read by the program itself, all others by a shared module
-/// beside it, which is loaded when it is needed.
+/// integers; nothing is printed. EXR, HDR, PFM and PNG are read by the program itself, all others by a shared
+/// module beside it, which is loaded when it is needed.
 Image read_image(const std::filesystem::path& file);
 
 struct Header {
@@ -24,6 +24,11 @@ struct Header {
   int height_px = 0;
   std::map<std::string, std::string> attributes;  // those that are text and not empty
 };
+
+/// Channels that say how far the numbers that a pixel of a Radiance picture can hold lie from each other: its
+/// colours share one exponent, and have 8 bits each. Programs that write them cut off what does not fit, as
+/// Radiance's own does, or round, and no file says which.
+inline constexpr std::array kRgbeSteps{"rgbe_step.R", "rgbe_step.G", "rgbe_step.B"};
 
 /// What the file's header states, without decoding a pixel. InputError as read_image.
 Header read_header(const std::filesystem::path& file);
@@ -57,6 +62,15 @@ std::array<std::size_t, 3> texture_channels(const Image& image);
 /// read_image and texture_channels.
 enum class Encoded { Srgb, Numbers };
 Image read_linear_rgb(const std::filesystem::path& file, Encoded encoded = Encoded::Srgb);
+
+/// As read_linear_rgb of a float file; of a Radiance picture with the channels kRgbeSteps, too.
+Image read_rgb_with_steps(const std::filesystem::path& file);
+
+/// Whether read_image knows the ending, in any case: "a.EXR".
+bool is_image_name(const std::filesystem::path& file);
+
+/// Whether the ending is one of images, of those too that read_image does not know: "a.tif".
+bool looks_like_image(const std::filesystem::path& file);
 
 /// Whether files of this ending hold floats, whose values may be any. InputError for an ending that is not
 /// known.
