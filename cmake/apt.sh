@@ -71,12 +71,15 @@ candidates() {
     /^  Candidate: / && $2 != "(none)" { sub(/^[0-9]+:/, "", $2); print name, $2 }'
 }
 
-# Before anything is installed: of these packages, can orbs be built? Leaves those that there are in `found`.
-check_candidates() {
-  local known package unknown=() required
+has_lists() { LC_ALL=C apt-cache policy 2>/dev/null | grep -qE '^ *-?[0-9]+ [a-z+]+:'; }
+
+# Sorts the packages into `found`, which apt-get could install, and `unknown`, without which orbs cannot be built. Any
+# other is left out.
+sort_packages() {
+  local known package required
   known=$(candidates "$@")
   required=" $(packages_for build fuzz | tr '\n' ' ') "
-  found=()
+  found=() unknown=()
   for package; do
     if grep -qE "^${package//+/\\+} " <<<"$known"; then
       found+=("$package")
@@ -86,20 +89,30 @@ check_candidates() {
       say "$system_name has no package $package: what needs it is left out"
     fi
   done
-  if ((${#unknown[@]} > 0)) && [[ $update_failed == yes ]]; then
-    fail "apt-get has no list with ${unknown[*]}, for its update failed: is there a network, and are the package sources right?"
-  elif ((${#unknown[@]} > 0)); then
-    fail "$system_name has no package ${unknown[*]}; nothing was installed." \
+}
+
+# Before anything is installed: with what apt-get has, can orbs be built?
+check_packages() {  # <packages that are needed and that it does not know>
+  if (($# > 0)) && [[ $update_failed == yes ]]; then
+    fail "apt-get has no list with $*, for its update failed: is there a network, and are the package sources right?"
+  elif (($# > 0)); then
+    fail "$system_name has no package $*; nothing was installed." \
       "The Containerfile builds orbs on any system that has Podman or Docker"
   fi
-  check_cmake "$(awk '$1 == "cmake" { print $2 }' <<<"$known")"
+  check_cmake "$(candidates cmake | cut -d ' ' -f 2)"
 }
 
 # apt_install <missing package>...
 apt_install() {
-  local found=() update_failed=no
+  local found=("$@") unknown=() update_failed=no
+  # What this system does not have at all would be missing each time.
+  if has_lists; then
+    sort_packages "$@"
+    found+=("${unknown[@]}")
+  fi
+  if ((${#found[@]} == 0)); then return; fi
   if ((EUID != 0)) && ! command -v sudo >/dev/null; then
-    fail "to install them, run as root:  apt-get update && apt-get install --no-install-recommends $*"
+    fail "to install what is missing, run as root:  apt-get update && apt-get install --no-install-recommends ${found[*]}"
   fi
   # Not in the build folder, which a user without root must be able to write to afterwards.
   apt_log=$(mktemp "${TMPDIR:-/tmp}/orbs-apt-XXXXXX")
@@ -108,7 +121,10 @@ apt_install() {
   # With an old list, or for a source of the user's own that does not answer, it may still do.
   apt_get update || { update_failed=yes; say "apt-get update failed: $(apt_reason)"; }
   if log_says "$no_network"; then update_failed=yes; fi
-  check_candidates "$@"
-  if ((${#found[@]} > 0)); then apt_get install --yes --no-install-recommends "${found[@]}" || fail "apt-get could not install ${found[*]}: $(apt_reason)"; fi
+  sort_packages "${found[@]}"
+  check_packages "${unknown[@]}"
+  if ((${#found[@]} > 0)); then
+    apt_get install --yes --no-install-recommends "${found[@]}" || fail "apt-get could not install ${found[*]}: $(apt_reason)"
+  fi
   rm -f "$apt_log"
 }

@@ -24,7 +24,7 @@ system() {  # <ID> <VERSION_ID> <PRETTY_NAME> [ID_LIKE]
 # Programs of a machine on which nothing is installed: the plain ones of this machine, and ours. `apt-get update` and
 # `apt-get install` first answer with the files that a test has put there, one each time.
 program() { cat >"$folder/bin/$1"; chmod +x "$folder/bin/$1"; }
-for name in mktemp bash cat env grep sed awk sort head tail tee mkdir dirname tr uname rm printf mv; do
+for name in mktemp cut bash cat env grep sed awk sort head tail tee mkdir dirname tr uname rm printf mv; do
   ln -s "$(command -v "$name")" "$folder/plain/$name"
 done
 program sudo <<'TEXT'
@@ -52,6 +52,7 @@ done
 TEXT
 program apt-cache <<'TEXT'
 #!/bin/bash
+if (($# == 1)); then cat "$FAKE/lists"; fi
 for name; do
   case " policy -- $(cat "$FAKE/unknown") " in *" $name "*) continue ;; esac
   printf '%s:\n  Installed: (none)\n  Candidate: %s\n' "$name" "$(if [[ $name == cmake ]]; then cat "$FAKE/cmake"; else echo 1:14.0-3; fi)"
@@ -64,6 +65,7 @@ fresh() {
   mkdir "$folder/answers"
   : >"$folder/calls"
   : >"$folder/unknown"
+  echo " 100 /var/lib/dpkg/status" >"$folder/lists"
   echo 3.25.1-1 >"$folder/cmake"
 }
 
@@ -181,11 +183,29 @@ echo "W: Failed to fetch http://deb.debian.org/x  Temporary failure resolving 'd
 bootstrap 2 build
 says "for its update failed: is there a network"
 
-echo "10. neither root nor sudo"
+echo "10. what this system does not have is not asked for each time"
+fresh
+echo " 500 http://deb.debian.org/debian trixie/main amd64 Packages" >"$folder/lists"
+tr '\n' ' ' <<<"$(PATH=$folder/bin:$folder/plain "$folder/check out/bootstrap" packages test)" >"$folder/unknown"
+sed -i 's/ libpng-dev / /' "$folder/unknown"
+bootstrap 2 test
+says "has no package clang-format-14: what needs it is left out"
+calls "update"   # g++ may be in a newer list
+fresh
+echo " 500 http://deb.debian.org/debian trixie/main amd64 Packages" >"$folder/lists"
+echo "clang-format-14 clang-tidy-14" >"$folder/unknown"
+printf '#!/bin/bash\nfor name in "${@:5}"; do [[ $name == clang-* ]] || echo "$name installed"; done\n' >"$folder/bin/dpkg-query"
+bootstrap 2 test
+says "has no package clang-tidy-14: what needs it is left out"
+says "configuring"
+calls_not .
+printf '#!/bin/bash\nexit 1\n' >"$folder/bin/dpkg-query"
+
+echo "11. neither root nor sudo"
 if ((EUID != 0)); then
   fresh
   rm "$folder/bin/sudo"
   bootstrap 2 build
-  says "run as root:  apt-get update && apt-get install --no-install-recommends g++"
+  says "to install what is missing, run as root:  apt-get update && apt-get install --no-install-recommends g++"
   calls_not .
 fi
