@@ -47,6 +47,19 @@ void set_size(scene::Camera& camera, double aspect, int longer_side) {
   camera.height_px = aspect >= 1 ? shorter(1 / aspect) : longer_side;
 }
 
+std::optional<int> own_number(const Source& source,
+                              const tinygltf::Value& said,
+                              const std::string& key,
+                              double most) {
+  if (!said.IsObject()) refuse(source, "extras/orbs of its scene is no object");
+  if (!said.Has(key)) return std::nullopt;
+  const auto number = number_in(said, key);
+  if (!number || !(*number >= 1 && *number <= most))
+    refuse(source,
+           fmt::format("extras/orbs/{} of its scene is not as expected: a number of 1 to {}", key, most));
+  return static_cast<int>(*number);
+}
+
 // What our exporter says of the image, for which glTF has no words.
 void set_extras(Import& import) {
   const auto& model = import.source.model;
@@ -54,17 +67,18 @@ void set_extras(Import& import) {
   const auto& scene = model.scenes[static_cast<std::size_t>(std::max(0, model.defaultScene))];
   if (!scene.extras.IsObject() || !scene.extras.Has("orbs")) return;
   const auto& said = scene.extras.Get("orbs");
-  constexpr double kLargest = 16384;
-  const auto width = number_in(said, "width").value_or(0);
-  const auto height = number_in(said, "height").value_or(0);
-  if (width >= 1 && height >= 1 && width <= kLargest && height <= kLargest) {
-    import.scene.camera.width_px = static_cast<int>(width);
-    import.scene.camera.height_px = static_cast<int>(height);
+  constexpr double kLargest_px = 16384;
+  auto& camera = import.scene.camera;
+  const auto width = own_number(import.source, said, "width", kLargest_px);
+  const auto height = own_number(import.source, said, "height", kLargest_px);
+  if (width && height) {
+    camera.width_px = *width;
+    camera.height_px = *height;
   }
-  if (const auto depth = number_in(said, "trace_depth"); depth && *depth >= 1 && *depth <= 1000)
-    import.scene.trace_depth = static_cast<int>(*depth);
-  else if (said.IsObject() && said.Has("trace_depth") && said.Get("trace_depth").IsString())
+  if (said.Has("trace_depth") && said.Get("trace_depth").IsString())
     import.scene.trace_depth = scene::kUnlimitedDepth;
+  else if (const auto depth = own_number(import.source, said, "trace_depth", 1000))
+    import.scene.trace_depth = *depth;
 }
 
 void take_lens(Import& import, const tinygltf::Camera& from, const std::string& where, const View& view) {

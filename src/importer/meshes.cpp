@@ -2,6 +2,7 @@
 
 #include "importer/gltf_material.h"
 #include "importer/materials.h"
+#include "importer/textures.h"
 #include "scene/geometry/uv_frames.h"
 
 #include <algorithm>
@@ -122,6 +123,20 @@ void name_tangents(Import& import,
                                  "those of the texture coordinates of each triangle", where);
 }
 
+// Without coordinates a texture would show its corner everywhere.
+void name_absent_coordinates(Import& import, const tinygltf::Primitive& primitive, const std::string& where) {
+  const auto& material = material_at(import, primitive.material);
+  const auto& pbr = material.pbrMetallicRoughness;
+  for (const auto& info : {pbr.baseColorTexture, pbr.metallicRoughnessTexture, material.emissiveTexture,
+                           normal_info(material)}) {
+    if (info.index < 0) continue;
+    const auto name = fmt::format("TEXCOORD_{}", coordinate_set(info));
+    if (!primitive.attributes.contains(name))
+      import.report.not_understood(fmt::format("textures of meshes without their coordinates ({})", name),
+                                   "the texel at (0, 0) everywhere", where);
+  }
+}
+
 }  // namespace
 
 const std::optional<SurfaceMap>& Meshes::surface_map(int material) {
@@ -167,11 +182,10 @@ void Meshes::add_primitive(const tinygltf::Primitive& primitive,
   }
   for (const auto& [name, value] : primitive.extensions) {
     if (name == "KHR_draco_mesh_compression" && is_packed(source, primitive))
-      refuse(source, where +
-                         " is packed with KHR_draco_mesh_compression, which is not read; export the scene "
-                         "without compression");
+      refuse(source, fmt::format("the triangles of {} {}", where, packed_text(name)));
     report.not_understood(name, "as if it were not there", where);
   }
+  name_absent_coordinates(*import_, primitive, where);
   const int colour_set = colour_coordinates(*import_, primitive.material);
   const auto& map = surface_map(primitive.material);
   const UvSets sets{colour_set, map ? map->coordinates() : colour_set,

@@ -2,6 +2,7 @@
 
 #include "base/files.h"
 #include "base/files_inside.h"
+#include "importer/property_types.h"
 #include "json/document.h"
 #include "json/object_reader.h"
 
@@ -56,6 +57,21 @@ Parts parts_of(const std::filesystem::path& file, const std::string& bytes) {
   return parts;
 }
 
+// Extensions that pack meshes, of which the file holds no numbers then.
+const std::set<std::string>& packing_extensions() {
+  static const std::set<std::string> names{"KHR_draco_mesh_compression", "EXT_meshopt_compression",
+                                           "KHR_meshopt_compression", "MESHOPT_compression"};
+  return names;
+}
+
+// A buffer of unpacked meshes that the file may name without having it (EXT_meshopt_compression, "Fallback
+// buffers").
+void check_fallback(json::ObjectReader& buffer) {
+  if (!buffer.has("extensions")) return;
+  for (const auto& name : buffer.object("extensions").keys())
+    if (packing_extensions().contains(name)) buffer.fail("", "stands for meshes that " + packed_text(name));
+}
+
 // The library takes the following on trust, and an image from where no buffer is.
 void check_buffers(const json::Document& document, const Parts& parts) {
   constexpr int kMost = std::numeric_limits<int>::max();
@@ -64,6 +80,7 @@ void check_buffers(const json::Document& document, const Parts& parts) {
   for (auto& buffer : in.objects_or_none("buffers")) {
     lengths.push_back(buffer.integer("byteLength", 1, kMost));
     const bool is_chunk = lengths.size() == 1 && !buffer.has("uri");
+    if (!buffer.has("uri") && (!is_chunk || !parts.binary_length)) check_fallback(buffer);
     if (is_chunk && !parts.binary_length) buffer.fail("", "has no 'uri', and the file has no second chunk");
     if (is_chunk && *parts.binary_length < static_cast<std::size_t>(lengths.back()))
       buffer.fail("byteLength", fmt::format("is more than the {} bytes that the second chunk of the file has",
@@ -92,19 +109,13 @@ void check_buffers(const json::Document& document, const Parts& parts) {
 
 // What the JSON of a file asks of its reader. Without these its meshes are no numbers that could be read.
 void check_asked(const json::Document& document) {
-  static const std::set<std::string> kPacked{"KHR_draco_mesh_compression", "EXT_meshopt_compression",
-                                             "MESHOPT_compression"};
   json::ObjectReader in(document);
   auto asset = in.object("asset");
   if (const auto version = asset.text("version"); !version.starts_with("2."))
     asset.fail("version", fmt::format("is '{}'; 2.0 is read", version));
   if (!in.has("extensionsRequired")) return;
   for (const auto& name : in.texts("extensionsRequired"))
-    if (kPacked.contains(name))
-      in.fail("extensionsRequired",
-              fmt::format(
-                  "its meshes are packed with {}, which is not read; export the scene without compression",
-                  name));
+    if (packing_extensions().contains(name)) in.fail("extensionsRequired", "its meshes " + packed_text(name));
 }
 
 int digit_of(char letter) {
@@ -156,6 +167,13 @@ void refuse(const Source& source, const std::string& problem) {
   throw InputError(fmt::format("{}: {}", source.file.string(), problem));
 }
 
+std::string packed_text(const std::string& extension) {
+  return fmt::format(
+      "are packed with {}, which is not read; export the scene without compression, or unpack it "
+      "with 'npx @gltf-transform/cli copy PACKED.glb PLAIN.glb'",
+      extension);
+}
+
 std::string place(const char* kind, const std::string& name, std::size_t index) {
   return name.empty() ? fmt::format("{} {}", kind, index) : fmt::format("{} '{}'", kind, name);
 }
@@ -199,6 +217,7 @@ Source read_source(const std::filesystem::path& file) {
   const auto parts = parts_of(file, bytes);
   const auto document = json::parse(file.string(), parts.json);
   check_asked(document);
+  check_property_types(document);
   check_buffers(document, parts);
   Source source{file, {}};
   Files files{file, {}};

@@ -47,6 +47,9 @@ const Element& item(const Source& source,
                              where, kind, index, list.size()));
 }
 
+/// "are packed with KHR_draco_mesh_compression, which is not read; ...", and what to do.
+std::string packed_text(const std::string& extension);
+
 /// "mesh 'box'", or "mesh 3" where it has no name.
 std::string place(const char* kind, const std::string& name, std::size_t index);
 

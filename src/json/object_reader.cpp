@@ -245,6 +245,16 @@ std::vector<std::string> ObjectReader::keys() const {
   return out;
 }
 
+void ObjectReader::check_written_whole(const std::string& key) {
+  const auto& value = required(key);
+  const auto problem = [](const nlohmann::json& number) {
+    return fmt::format("must be a whole number written without a fraction, is {}", number.dump());
+  };
+  if (value.is_number() && !value.is_number_integer()) fail(key, problem(value));
+  for (std::size_t i = 0; value.is_array() && i < value.size(); ++i)
+    if (!value[i].is_number_integer()) fail_at(key, i, problem(value[i]));
+}
+
 void ObjectReader::finish() const {
   for (const auto& item : value_->items())
     if (!asked_.contains(item.key())) fail(item.key(), "unknown key" + closest(item.key(), asked_));

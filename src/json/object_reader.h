@@ -55,6 +55,8 @@ class ObjectReader {
                                                Range range = kAnyNumber);
   std::vector<std::string> texts(const std::string& key);
   std::vector<std::string> system_texts(const std::string& key);
+  /// Refuses a number, or one of an array, that is written with a fraction or an exponent, as 1.0.
+  void check_written_whole(const std::string& key);
   Vec3d vec3(const std::string& key, Range range = kAnyNumber);
   Vec3d vec3_or(const std::string& key, Vec3d fallback, Range range = kAnyNumber);
 

@@ -87,7 +87,7 @@ TEST(BadGltf, IndicesThatLeadNowhereAreNamed) {
   expect_refused(broken("/nodes/0/camera", 2), "camera 2, and the file has 0");
   expect_refused(broken("/nodes/0/skin", 2), "skin 2, and the file has 0");
   expect_refused(broken("/scene", 5), "scene 5, and the file has 1");
-  expect_refused(broken("/scenes/0/nodes", {-4}), "node -4, and the file has 1");
+  expect_refused(broken("/scenes/0/nodes", {-4}), "/scenes/0/nodes/0");
   expect_refused(broken("/accessors/0/bufferView", 40), "buffer view 40, and the file has 5");
   expect_refused(broken("/bufferViews/0/buffer", 2), "/bufferViews/0/buffer");
   expect_refused(broken("/images/0/bufferView", 17), "/images/0/bufferView");
@@ -191,10 +191,17 @@ TEST(BadGltf, PackedMeshesAreRefused) {
   auto required = triangle();
   required.json["extensionsRequired"] = {"EXT_meshopt_compression"};
   expect_refused(required, "packed with EXT_meshopt_compression, which is not read");
+  expect_refused(required, "'npx @gltf-transform/cli copy PACKED.glb PLAIN.glb'");
+  auto fallback = triangle().json;
+  fallback["buffers"] = json::array(
+      {{{"byteLength", 36}, {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}}});
+  const ImportFolder folder;
+  const auto message = folder.refusal(fallback.dump(), "scene.gltf");
+  EXPECT_TRUE(contains(message, "/buffers/0: stands for meshes that are packed with EXT_meshopt")) << message;
   auto used = triangle();
   used.json["accessors"][0].erase("bufferView");
   used.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 0}};
-  expect_refused(used, "is packed with KHR_draco_mesh_compression");
+  expect_refused(used, "the triangles of mesh 'sheet' are packed with KHR_draco_mesh_compression");
 }
 
 TEST(BadGltf, ASceneThatShowsNothingSaysWhatWasLeftOut) {

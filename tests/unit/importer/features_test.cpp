@@ -343,6 +343,24 @@ TEST(ImportedMaterial, NormalMapsHaveTheirStrengthAndTheirCoordinates) {
   EXPECT_EQ(imported.scene.meshes.at(0).uvs, (std::vector<Vec2f>{{0, 0}, {1, 0}, {0, 1}}));
 }
 
+// Exporters write the coordinates that they know, and materials of another program ask for others.
+TEST(ImportedMaterial, CoordinatesThatTheMeshLacksAreNamed) {
+  const json elsewhere{{"index", 0}, {"texCoord", 1}};
+  const json moved{{"index", 0}, {"extensions", {{"KHR_texture_transform", {{"texCoord", 1}}}}}};
+  for (const json& material : {json{{"pbrMetallicRoughness", {{"baseColorTexture", elsewhere}}}},
+                               json{{"pbrMetallicRoughness", {{"baseColorTexture", moved}}}},
+                               json{{"pbrMetallicRoughness", {{"metallicRoughnessTexture", elsewhere}}}},
+                               json{{"normalTexture", elsewhere}}, json{{"emissiveTexture", elsewhere}}}) {
+    auto made = with_material(material);
+    EXPECT_TRUE(
+        ImportFolder().import(made).names("textures of meshes without their coordinates (TEXCOORD_1)"))
+        << material;
+    auto& attributes = made.json["meshes"][0]["primitives"][0]["attributes"];
+    attributes["TEXCOORD_1"] = attributes["TEXCOORD_0"];
+    EXPECT_FALSE(ImportFolder().import(made).names("textures of meshes without")) << material;
+  }
+}
+
 TEST(ImportedMaterial, OneSetOfCoordinatesIsTheFirst) {
   auto made = with_material({{"normalTexture", {{"index", 0}, {"texCoord", 1}}}});
   made.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] =
