@@ -133,9 +133,24 @@ std::string test_suite(const RunRecord& run,
 
 }  // namespace
 
+namespace {
+
+// U+FFFE and U+FFFF, the only characters that clean_text() leaves and XML does not have ("Extensible Markup
+// Language (XML) 1.0", 2.2, Char).
+bool is_no_character(std::string_view text) {
+  return text.starts_with("\xef\xbf\xbe") || text.starts_with("\xef\xbf\xbf");
+}
+
+}  // namespace
+
 std::string xml_text(std::string_view text) {
+  constexpr std::string_view kReplacement = "\xef\xbf\xbd";
   std::string out;
-  for (const char c : clean_text(text)) {
+  auto clean = clean_text(text);
+  for (std::size_t i = 0; i < clean.size(); ++i)
+    if (is_no_character(std::string_view(clean).substr(i)))
+      clean.replace(i, kReplacement.size(), kReplacement);
+  for (const char c : clean) {
     if (c == '&') {
       out += "&amp;";
     } else if (c == '<') {

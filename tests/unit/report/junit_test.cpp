@@ -1,6 +1,9 @@
 // JUnit XML as the parsers of CI servers read it.
 #include "report/junit.h"
 
+#include "base/text.h"
+
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -60,6 +63,41 @@ TEST(Junit, EscapesWhatXmlCannotHold) {
   EXPECT_EQ(orbs::report::xml_text("\x1b[0m\tx"), "\uFFFD[0m\tx");
   EXPECT_EQ(orbs::report::xml_text("\xc3\xa9 \xc3 \xff \xed\xa0\x80"),
             "\u00e9 \uFFFD \uFFFD \uFFFD\uFFFD\uFFFD");
+  EXPECT_EQ(orbs::report::xml_text("a\xef\xbf\xbe"
+                                   "b\xef\xbf\xbf"),
+            "a\uFFFDb\uFFFD");
+  EXPECT_EQ(orbs::report::xml_text("\uFFFD\uFFFC\U0001FFFE"), "\uFFFD\uFFFC\U0001FFFE");
+}
+
+// A parser of its own for the set of XML 1.0: every character that a renderer could say in its last words.
+TEST(Junit, HoldsNoCharacterThatXmlHasNot) {
+  const auto is_of_xml = [](char32_t c) {
+    return c == 0x9 || c == 0xA || c == 0xD || (c >= 0x20 && c <= 0xD7FF) || (c >= 0xE000 && c <= 0xFFFD) ||
+           (c >= 0x10000 && c <= 0x10FFFF);
+  };
+  std::string all;
+  for (char32_t c = 0; c < 0x11000; ++c) {
+    if (c < 0x80) {
+      all += static_cast<char>(c);
+    } else if (c < 0x800) {
+      all += static_cast<char>(0xC0 | c >> 6);
+      all += static_cast<char>(0x80 | (c & 0x3F));
+    } else {
+      if (c >= 0x10000) all += static_cast<char>(0xF0 | c >> 18);
+      all += static_cast<char>(c >= 0x10000 ? 0x80 | (c >> 12 & 0x3F) : 0xE0 | c >> 12);
+      all += static_cast<char>(0x80 | (c >> 6 & 0x3F));
+      all += static_cast<char>(0x80 | (c & 0x3F));
+    }
+  }
+  const auto text = orbs::report::xml_text(all);
+  for (std::size_t i = 0; i < text.size();) {
+    const auto length = orbs::utf8_length(std::string_view(text).substr(i));
+    ASSERT_GT(length, 0U) << i;
+    char32_t c = static_cast<unsigned char>(text[i]) & (length == 1 ? 0x7FU : 0x3FU >> (length - 1));
+    for (std::size_t k = 1; k < length; ++k) c = c << 6 | (static_cast<unsigned char>(text[i + k]) & 0x3FU);
+    EXPECT_TRUE(is_of_xml(c)) << std::hex << static_cast<std::uint32_t>(c);
+    i += length;
+  }
 }
 
 // Checked against Jenkins' junit-10.xsd; GitLab and dorny/test-reporter show the body of <failure> alone.
