@@ -466,11 +466,10 @@ def add_light(light_shape_matrix, name, folder, scale):
 
 def load_ies(use, light_matrix, folder, scale):
     path = os.path.join(folder, use["file"])
-    with open(path, encoding="latin-1") as file:
-        try:
-            grid = cycles_ies.regular_grid(cycles_ies.parse_ies(file.read()))
-        except cycles_ies.IesError as error:
-            raise SceneError(f"{path}: not a usable LM-63 file: {error}") from None
+    try:
+        grid = cycles_ies.regular_grid(cycles_ies.read_ies(path))
+    except cycles_ies.IesError as error:
+        raise SceneError(f"{path}: not a usable LM-63 file: {error}") from None
     frame = world_matrix(light_matrix, scale) @ world_matrix(use.get("matrix", IDENTITY), 1.0)
     rows = frame.to_3x3().normalized().transposed()  # unit axes: a scale must not change directions
     centre = tuple(frame.to_translation()) if use.get("point_area", False) else None

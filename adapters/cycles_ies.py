@@ -6,6 +6,7 @@ piecewise bilinear function exactly, and an image texture with linear interpolat
 """
 
 import math
+import re
 from dataclasses import dataclass
 
 # Angles are taken as whole multiples of this when a common step is sought; LM-63 files state at most two decimals.
@@ -39,6 +40,7 @@ class Grid:
 
 
 def parse_ies(text):
+    """Of the whole text of a file, with its line ends."""
     header, tilt, numbers = _split_file(text)
     tokens = iter(numbers.replace(",", " ").split())
 
@@ -73,11 +75,24 @@ def parse_ies(text):
     return _unfolded(vertical, horizontal, candela, peak)
 
 
+def read_ies(path):
+    """As parse_ies, of a file. Bytes beyond ASCII stand in labels alone, so any encoding that keeps ASCII will do."""
+    with open(path, encoding="latin-1", newline="") as file:
+        return parse_ies(file.read())
+
+
+# The rules of this function are those of src/scene/lights/ies.cpp, to which every file comes first.
 def _split_file(text):
-    lines = text.splitlines()
+    text = text.removeprefix("\xef\xbb\xbf").removeprefix("\ufeff")
+    if text.startswith(("\xff\xfe", "\xfe\xff")) or "\0" in text[:64]:
+        raise IesError("its text is in UTF-16; save it in ASCII or UTF-8")
+    lines = re.split("\r\n|\r|\n", text)
     for index, line in enumerate(lines):
-        if line.strip().startswith("TILT="):
-            return lines[0].strip(), line.strip()[5:].strip(), "\n".join(lines[index + 1 :])
+        found = re.fullmatch(r"TILT\s*=\s*(.*)", line.strip(), re.IGNORECASE | re.ASCII)
+        if not found:
+            continue
+        tilt = found[1] if found[1].upper() not in ("NONE", "INCLUDE") else found[1].upper()
+        return lines[0].strip().upper(), tilt, "\n".join(lines[index + 1 :])
     raise IesError("there is no line that starts with TILT=")
 
 
@@ -91,7 +106,7 @@ def _tilt_factor(tilt, number):
     pairs = int(number("number of tilt angles"))
     angles = [number("tilt angle") for _ in range(pairs)]
     factors = [number("tilt factor") for _ in range(pairs)]
-    return dict(zip(angles, factors)).get(0.0, 1.0)
+    return factors[angles.index(0.0)] if 0.0 in angles else 1.0
 
 
 def _azimuths_of(plane, first, last):

@@ -18,10 +18,30 @@ using namespace orbs;
 struct Luminaire {
   std::string name;
   std::string planes;  // numbers of the file from the count of planes on
+  std::string header = "IESNA:LM-63-2002\nTILT=NONE\n";
+  std::string line_end = "\n";
 };
 
 std::string file_of(const Luminaire& luminaire) {
-  return "IESNA:LM-63-2002\nTILT=NONE\n1 -1 2 2 " + luminaire.planes;
+  std::string text;
+  for (const char c : luminaire.header + "1 -1 2 2 " + luminaire.planes)
+    text += c == '\n' ? luminaire.line_end : std::string(1, c);
+  return text;
+}
+
+// The ways in which programs write the same file; the last factor of the ballast line counts in old ones.
+std::vector<Luminaire> headers() {
+  const std::string planes = "1 1 2 0 0 0 0.5 0.5 10\n0 90\n0\n8,4\n";
+  const std::string included = "1\n3\n0 45 90\n0.5 0.75 1\n";
+  return {{"small letters", planes, "iesna:lm-63-2002\nTilt=none\n"},
+          {"blanks", planes, "IESNA:LM-63-2002\n tilt\t= None \n"},
+          {"tilt included", planes, "IESNA:LM-63-1995\nTilt=Include\n" + included},
+          {"of 1991", planes, "IESNA91\nTILT=NONE\n"},
+          {"of 1986", planes, "A luminaire\nTILT=NONE\n"},
+          {"byte order mark", planes, "\xEF\xBB\xBFIESNA:LM-63-1995\nTILT=NONE\n"},
+          {"bytes beyond ASCII", planes, "IESNA:LM-63-2002\n[LUMINAIRE] f\xFCr \x85 30\xB0\x0C\nTILT=NONE\n"},
+          {"line ends of Windows", planes, "IESNA:LM-63-2002\nTILT=NONE\n", "\r\n"},
+          {"carriage returns", planes, "IESNA:LM-63-2002\nTILT=NONE\n", "\r"}};
 }
 
 std::vector<Luminaire> luminaires() {
@@ -46,7 +66,7 @@ std::string grid_in_python(const std::string& text) {
                   "-B",
                   "-c",
                   "import sys; sys.path.insert(0, sys.argv[1]); import cycles_ies as ies\n"
-                  "profile = ies.parse_ies(open(sys.argv[2]).read()); grid = ies.regular_grid(profile)\n"
+                  "profile = ies.read_ies(sys.argv[2]); grid = ies.regular_grid(profile)\n"
                   "at = lambda c, r: grid.values[r * grid.columns + c] * profile.max_candela\n"
                   "for c in range(grid.columns): print(*(f'{at(c, r):.9f}' for r in (0, grid.rows - "
                   "1)))\n",
@@ -73,10 +93,13 @@ TEST_P(CyclesIes, SeesTheLightThatTheHarnessSees) {
   EXPECT_EQ(found, expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(Symmetries, CyclesIes, testing::ValuesIn(luminaires()), [](const auto& luminaire) {
+std::string test_name(const testing::TestParamInfo<Luminaire>& luminaire) {
   std::string name = luminaire.param.name;
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(Symmetries, CyclesIes, testing::ValuesIn(luminaires()), test_name);
+INSTANTIATE_TEST_SUITE_P(Headers, CyclesIes, testing::ValuesIn(headers()), test_name);
 
 }  // namespace

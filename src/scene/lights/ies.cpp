@@ -89,8 +89,21 @@ std::optional<std::string_view> tilt_of(std::string_view line) {
   return trim(rest.substr(1));
 }
 
+// Editors of Windows call it "Unicode". A zero byte is in no text of ASCII.
+bool is_utf16(std::string_view text) {
+  constexpr std::size_t kEnough = 64;
+  return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
+         text.substr(0, kEnough).find('\0') != std::string_view::npos;
+}
+
+// adapters/cycles_ies.py has the same rules.
 Header read_header(const std::string& name, std::string_view text) {
   take_byte_order_mark(text);
+  if (is_utf16(text))
+    throw InputError(fmt::format(
+        "{}: not a usable LM-63 file: its text is in UTF-16; save it in ASCII or UTF-8, as 'iconv -f UTF-16 -t "
+        "UTF-8' does",
+        name));
   Header header;
   for (bool is_first = true; !text.empty(); is_first = false) {
     const auto line = trim(take_line(text));

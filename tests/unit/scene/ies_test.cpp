@@ -172,6 +172,9 @@ TEST(Ies, ComplainsAboutWhatItCannotUse) {
     return std::string();
   };
   EXPECT_NE(error("").find("no line that starts with TILT="), std::string::npos);
+  const std::string wide("I\0E\0S\0", 6);
+  for (const auto& text : {"\xFF\xFE" + wide, std::string("\xFE\xFF\0I", 4) + wide, wide})
+    EXPECT_NE(error(text).find("its text is in UTF-16; save it in ASCII or UTF-8"), std::string::npos);
   EXPECT_NE(error("TILT=lamp.tlt\n1").find("only NONE and INCLUDE"), std::string::npos);
   EXPECT_NE(error(small_file("1 1 1 2 1 2 2 0 0 0 1 1 1\n")).find("only type C"), std::string::npos);
   EXPECT_NE(error(small_file("1 1 1 2 1 1 2 0 0 0 1 1 1\n0 90\n0\n8\n"))
