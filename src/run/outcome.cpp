@@ -8,12 +8,14 @@
 #include "run/job_folder.h"
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/stat.h>
 
 namespace orbs::run {
 
@@ -157,6 +159,19 @@ Outcome process_outcome(const adapters::ProcessResult& process,
   return outcome;
 }
 
+// Whether the file was written before that time and came there later: a renderer has put an old one in its
+// place. Its name was free before the render, so one that came before, too, is of a clock that was stepped
+// back since.
+bool is_dated_back(const fs::path& file, fs::file_time_type since) {
+  struct stat status {};
+  if (::lstat(file.c_str(), &status) != 0) return false;
+  const auto time_of = [](const timespec& time) {
+    return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+  };
+  const auto ready = std::chrono::file_clock::to_sys(since).time_since_epoch();
+  return time_of(status.st_mtim) < ready && time_of(status.st_ctim) >= ready;
+}
+
 // Whether there is a file to be read at all. A symbolic link could show any file of the machine as an image.
 Outcome file_outcome(const adapters::Job& job, const std::string& name) {
   std::error_code ignored;
@@ -167,7 +182,7 @@ Outcome file_outcome(const adapters::Job& job, const std::string& name) {
             fmt::format("{} is no file of its own but {}", name,
                         type == fs::file_type::symlink ? "a symbolic link" : "a folder or a device"),
             {}};
-  if (job.ready_since && fs::last_write_time(job.image, ignored) < *job.ready_since)
+  if (job.ready_since && is_dated_back(job.image, *job.ready_since))
     return {JobOutcome::Stale, fmt::format("{} is older than its render", name), {}};
   if (fs::file_size(job.image, ignored) == 0)
     return {JobOutcome::Unreadable, fmt::format("{} is empty", name), {}};

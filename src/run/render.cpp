@@ -11,6 +11,7 @@
 #include "metrics/seeds.h"
 #include "run/isolate.h"
 #include "run/job_folder.h"
+#include "run/other_images.h"
 #include "run/plan/render_seconds.h"
 #include "run/prepare.h"
 #include "run/program_hash.h"
@@ -157,7 +158,7 @@ adapters::ProcessResult start(const RenderJob& job,
 // say so.
 void take_other_format(const std::filesystem::path& file, const std::filesystem::path& exr) {
   try {
-    image::write_exr(image::read_linear_rgb(file), exr);
+    image::write_exr(image::read_rgb_with_steps(file), exr);
   } catch (const WriteError&) {
     throw;
   } catch (const InputError&) {
@@ -213,15 +214,25 @@ std::string changed_input(const RenderJob& job,
   return "";
 }
 
-// The outcome of one process, and the folder ready for what we write into it.
+// Where the image should be.
+std::set<std::string> images_beside(const RenderJob& job, const adapters::Job& replica) {
+  return other_images(job.came_back.empty() ? replica.folder : job.came_back,
+                      replica.image.filename().string());
+}
+
+// The outcome of one process, and the folder ready for what we write into it. `before`: the images that were
+// there before it.
 Outcome outcome_of(const RenderJob& job,
                    const adapters::Job& replica,
+                   const std::set<std::string>& before,
                    const adapters::ProcessResult& process) {
   const bool is_replaced = make_room(job.within, replica.folder);
   // The file of the log is where the renderer has moved the folder.
   const auto log = replica.folder / "log.txt";
   if (!no_file_problem(log).empty()) write_file(log, process.output);
   auto outcome = classify(process, replica, job.renderer.limits);
+  if (outcome.kind == JobOutcome::NoOutput)
+    outcome.reason += misnamed_text(replica.image.filename().string(), before, images_beside(job, replica));
   if (is_replaced)
     outcome.reason += "; it has put something else in the place of its folder, or of one above";
   return outcome;
@@ -251,10 +262,13 @@ Rendered render(const RenderJob& job, const std::atomic<bool>* stop) {
     forget_render_seconds(job.renderer.timing.render_seconds, replica.folder);
     forget_render_seconds(job.renderer.timing.trial_seconds, replica.folder);
     rendered.image = replica.image;
+    // A file of that name is none of this render, whatever its time says: a replica before may have left it.
+    make_way(replica.image);
+    const auto before = images_beside(job, replica);
     rendered.processes.push_back(job.came_back.empty() ? start(job, replica, stop)
                                                        : take_image(replica, job.came_back));
     const auto& process = rendered.processes.back();
-    rendered.outcome = outcome_of(job, replica, process);
+    rendered.outcome = outcome_of(job, replica, before, process);
     const auto& timing = job.renderer.timing;
     add_stated(rendered.render_seconds, timing.render_seconds, process, replica.folder);
     add_stated(rendered.trial_seconds, timing.trial_seconds, process, replica.folder);

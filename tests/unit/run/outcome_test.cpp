@@ -155,10 +155,18 @@ TEST_F(OutcomeTest, AnImageFromElsewhereIsNone) {
 
 TEST_F(OutcomeTest, AnImageOlderThanItsRenderIsStale) {
   write(4, 3, {"R", "G", "B"});
-  job_.ready_since = std::filesystem::last_write_time(job_.image);
+  const auto written = std::filesystem::last_write_time(job_.image);
+  job_.ready_since = written;
   EXPECT_EQ(outcome().kind, JobOutcome::Image);
-  job_.ready_since = *job_.ready_since + std::chrono::milliseconds(1);
+  std::filesystem::last_write_time(job_.image, written - std::chrono::milliseconds(1));
   EXPECT_EQ(outcome().kind, JobOutcome::Stale);
+}
+
+// As if the clock had been stepped back while it was rendered: all its times are before the start.
+TEST_F(OutcomeTest, AnImageThatCameBeforeItsRenderByTheClockIsNotStale) {
+  write(4, 3, {"R", "G", "B"});
+  job_.ready_since = std::filesystem::last_write_time(job_.image) + std::chrono::hours(1);
+  EXPECT_EQ(outcome().kind, JobOutcome::Image) << outcome().reason;
 }
 
 TEST_F(OutcomeTest, AnImageThatSaysItIsOfSomethingElseIsStale) {
