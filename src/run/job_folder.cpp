@@ -9,8 +9,10 @@
 #include <system_error>
 #include <vector>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
 namespace orbs::run {
@@ -29,6 +31,36 @@ std::vector<fs::path> in_the_way(const fs::path& folder) {
     if (is_ours(entry.path().filename().string()) && entry.symlink_status().type() != fs::file_type::regular)
       found.push_back(entry.path());
   return found;
+}
+
+// A file that a renderer leaves may let whoever starts it act as the renderer's user, who may be root: by its
+// bits set-user-ID and set-group-ID, or by capabilities (xattr(7), security.capability). A file of ours never
+// does. The file is opened, so that no link in its place is followed.
+void take_rights(const fs::path& file) {
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  struct stat status {};
+  if (descriptor < 0) {
+    // Its owner may not read it either; the name is of a file, and no process of the renderer is left.
+    if (::lstat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode))
+      ::chmod(file.c_str(), status.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO));
+    return;
+  }
+  if (::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode)) {
+    if ((status.st_mode & (S_ISUID | S_ISGID)) != 0)
+      ::fchmod(descriptor, status.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO));
+    ::fremovexattr(descriptor, "security.capability");
+  }
+  ::close(descriptor);
+}
+
+void take_rights_below(const fs::path& folder) {
+  std::error_code failed;
+  for (fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, failed),
+       end;
+       !failed && entry != end; entry.increment(failed)) {
+    std::error_code ignored;
+    if (entry->symlink_status(ignored).type() == fs::file_type::regular) take_rights(entry->path());
+  }
 }
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
@@ -87,6 +119,7 @@ bool make_room(const fs::path& within, const fs::path& folder) {
   try {
     fs::permissions(folder, fs::perms::owner_all, fs::perm_options::add);
     for (const auto& path : in_the_way(folder)) make_way(path);
+    take_rights_below(folder);
   } catch (const fs::filesystem_error& e) {
     throw WriteError(fmt::format("{}: cannot be made ready for the results of its render: {}",
                                  folder.string(), e.code().message()));

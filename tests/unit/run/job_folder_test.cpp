@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 using namespace orbs;
 using structure::TestFolder;
@@ -73,4 +74,25 @@ TEST(JobFolder, WhatIsNoFolderMakesWay) {
   std::ofstream(own) << "a file";
   EXPECT_TRUE(run::make_own_folder(folder.path(), own));
   EXPECT_TRUE(fs::is_directory(own));
+}
+
+// A render of root's could leave a program there that makes root of everybody.
+TEST(JobFolder, FilesThatARendererLeavesGiveNobodyRightsOfItsUser) {
+  const TestFolder folder("job-rights");
+  folder.write("own/below/tool", "");
+  folder.write("own/secret", "");
+  folder.write("elsewhere", "");
+  const auto mode_of = [&](const char* name) {
+    struct stat status {};
+    EXPECT_EQ(::stat((folder.path() / name).c_str(), &status), 0) << name;
+    return status.st_mode & 07777U;
+  };
+  ASSERT_EQ(::chmod((folder.path() / "own/below/tool").c_str(), 06755), 0);
+  ASSERT_EQ(::chmod((folder.path() / "own/secret").c_str(), 04000), 0);
+  ASSERT_EQ(::chmod((folder.path() / "elsewhere").c_str(), 04755), 0);
+  fs::create_symlink(folder.path() / "elsewhere", folder.path() / "own/link");
+  run::make_room(folder.path(), folder.path() / "own");
+  EXPECT_EQ(mode_of("own/below/tool"), 0755U);
+  EXPECT_EQ(mode_of("own/secret"), 0U);
+  EXPECT_EQ(mode_of("elsewhere"), 04755U) << "no link is followed";
 }
