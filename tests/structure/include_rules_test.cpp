@@ -15,6 +15,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 namespace fs = std::filesystem;
@@ -28,7 +29,8 @@ using orbs::structure::TestFolder;
 using Home = std::pair<std::string_view, std::string_view>;
 constexpr std::array kOnlyIn{
     Home{"nlohmann/", "json"}, Home{"tiny_gltf.h", "importer"}, Home{"OpenImageIO/", "image_formats"},
-    Home{"OpenEXR/", "image"}, Home{"CLI/", "command_line"},    Home{"embree3/", "tracer"}};
+    Home{"OpenEXR/", "image"}, Home{"CLI/", "command_line"},    Home{"embree3/", "tracer"},
+    Home{"embree4/", "tracer"}};
 
 struct Rules {
   std::vector<std::string> order;  // modules as listed

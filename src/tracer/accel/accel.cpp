@@ -2,6 +2,7 @@
 
 #include "tracer/accel/curved_surface.h"
 #include "tracer/accel/double_triangles.h"
+#include "tracer/accel/embree_api.h"
 #include "tracer/accel/moving_triangles.h"
 #include "tracer/accel/open_triangles.h"
 #include "tracer/accel/solid_geometry.h"
@@ -15,7 +16,7 @@
 #include <stdexcept>
 #include <string>
 
-#include <embree3/rtcore.h>
+#include <fmt/format.h>
 
 namespace orbs::tracer {
 
@@ -35,7 +36,7 @@ std::vector<DoubleTriangle> triangles_of(const Quad& quad) {
 
 /// What filters of hits need beside Embree's own: the rays of the packet as they came, in world space.
 struct PacketContext {
-  RTCIntersectContext embree;  // first: Embree hands a pointer to it back
+  RayContext embree;  // first: Embree hands a pointer to it back
   const Ray* rays = nullptr;
 };
 
@@ -58,6 +59,12 @@ void let_pass(const RTCFilterFunctionNArguments* args) {
 
 void on_error(void*, RTCError, const char* text) { throw std::runtime_error(std::string("Embree: ") + text); }
 
+// Of a processor without the kernels that are asked for, or no memory.
+std::string no_device() {
+  return fmt::format("Embree makes no device with the settings '{}': error {}", kDeviceSettings,
+                     static_cast<int>(rtcGetDeviceError(nullptr)));
+}
+
 }  // namespace
 
 struct Accel::State {
@@ -71,7 +78,8 @@ struct Accel::State {
   std::vector<std::vector<MovingTriangle>> moving_triangles;  // likewise
 
   State(const Openings& given, bool triangles_are_double)
-      : openings(given), is_double(triangles_are_double), device(rtcNewDevice(nullptr)) {
+      : openings(given), is_double(triangles_are_double), device(rtcNewDevice(kDeviceSettings)) {
+    if (device == nullptr) throw std::runtime_error(no_device());
     rtcSetDeviceErrorFunction(device, on_error, nullptr);
     top = new_scene();
   }
@@ -279,8 +287,7 @@ void load_packet(Packet& packet, std::array<int, kPacket>& valid, std::span<cons
 
 void Accel::intersect(std::span<const Ray> rays, std::span<Hit> hits, Coherence coherence) const {
   PacketContext context;
-  rtcInitIntersectContext(&context.embree);
-  if (coherence == Coherence::Neighbours) context.embree.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  init(context.embree);
   alignas(64) RTCRayHit16 packet;
   alignas(64) std::array<int, kPacket> valid{};
   for (std::size_t first = 0; first < rays.size(); first += kPacket) {
@@ -289,7 +296,7 @@ void Accel::intersect(std::span<const Ray> rays, std::span<Hit> hits, Coherence 
     std::fill_n(packet.hit.geomID, kPacket, RTC_INVALID_GEOMETRY_ID);
     std::fill_n(packet.hit.instID[0], kPacket, RTC_INVALID_GEOMETRY_ID);
     context.rays = &rays[first];
-    rtcIntersect16(valid.data(), state_->top, &context.embree, &packet);
+    intersect_packet(valid.data(), state_->top, context.embree, packet, coherence == Coherence::Neighbours);
     for (std::size_t lane = 0; lane < count; ++lane) {
       const bool instanced = packet.hit.instID[0][lane] != RTC_INVALID_GEOMETRY_ID;
       hits[first + lane] = {packet.ray.tfar[lane],
@@ -302,14 +309,14 @@ void Accel::intersect(std::span<const Ray> rays, std::span<Hit> hits, Coherence 
 
 void Accel::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const {
   PacketContext context;
-  rtcInitIntersectContext(&context.embree);
+  init(context.embree);
   alignas(64) RTCRay16 packet;
   alignas(64) std::array<int, kPacket> valid{};
   for (std::size_t first = 0; first < rays.size(); first += kPacket) {
     const std::size_t count = std::min(kPacket, rays.size() - first);
     load_packet(packet, valid, rays.subspan(first, count));
     context.rays = &rays[first];
-    rtcOccluded16(valid.data(), state_->top, &context.embree, &packet);
+    occluded_packet(valid.data(), state_->top, context.embree, packet);
     for (std::size_t lane = 0; lane < count; ++lane) blocked[first + lane] = packet.tfar[lane] < 0 ? 1 : 0;
   }
 }

@@ -1,14 +1,13 @@
 #pragma once
 
 #include "base/vec.h"
+#include "tracer/accel/embree_api.h"
 #include "tracer/geometry/ray.h"
 
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <span>
-
-#include <embree3/rtcore.h>
 
 namespace orbs::tracer {
 
