@@ -10,7 +10,10 @@
 #include <cstring>
 #include <limits>
 #include <set>
+#include <stdexcept>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 
 namespace orbs::importer {
 
@@ -124,26 +127,80 @@ int digit_of(char letter) {
   return at == std::string_view::npos ? -1 : static_cast<int>(at);
 }
 
-// The library calls these for buffers alone, with the path that the URI means.
+// The file at `path`, which must lie beside `file` or below, with no link on the way.
+OpenFile opened_beside(const std::filesystem::path& file, const std::string& path, const std::string& what) {
+  const auto bad = [&](const std::string& problem) {
+    throw InputError(fmt::format("{}: {} is '{}': {}", file.string(), what, path, problem));
+  };
+  if (const auto colon = path.find(':'); colon != std::string::npos && path.find('/') > colon)
+    bad("only files beside the scene are read, nothing is fetched; download it, and name it there");
+  if (path.empty() || !leads_inside(path))
+    bad("that leads out of the folder of the scene; copy the file into it, and name it there");
+  const auto folder = std::filesystem::absolute(file).parent_path();
+  auto opened = open_inside(folder, path);
+  if (!opened)
+    bad(fmt::format("there is no such file in {} (symbolic links are not followed); copy it there",
+                    folder.string()));
+  return std::move(*opened);
+}
+
+// What the library's functions for files know. They are called for buffers alone, with the path that the URI
+// means.
 struct Files {
   const std::filesystem::path& file;
   std::string problem;
 };
 
-bool read_for_library(std::vector<unsigned char>* out,
-                      std::string* error,
-                      const std::string& path,
-                      void* user_data) {
+// Hands the file at `path` to `use`; false if it may not be read.
+template <typename Use>
+bool open_for_library(const std::string& path, std::string* error, void* user_data, Use use) {
   auto& files = *static_cast<Files*>(user_data);
   try {
-    const auto bytes = read_beside(files.file, path, "a buffer");
-    out->assign(bytes.begin(), bytes.end());
+    use(opened_beside(files.file, path, "a buffer"));
     return true;
   } catch (const InputError& e) {
     files.problem = e.what();
     if (error != nullptr) *error = e.what();
     return false;
   }
+}
+
+// The library calls these for every file that it looks for, reads or writes. Set by name, since from 2.8.8 on
+// there is a sixth.
+template <typename Callbacks>
+Callbacks callbacks_of(Files& files) {
+  Callbacks callbacks{};
+  callbacks.FileExists = [](const std::string&, void*) { return true; };
+  callbacks.ExpandFilePath = [](const std::string& path, void*) { return path; };
+  callbacks.ReadWholeFile = [](std::vector<unsigned char>* out, std::string* error, const std::string& path,
+                               void* user_data) {
+    return open_for_library(path, error, user_data, [&](const OpenFile& file) {
+      const auto bytes = file.read(0, file.size());
+      out->assign(bytes.begin(), bytes.end());
+    });
+  };
+  callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
+    return false;
+  };
+  if constexpr (requires { callbacks.GetFileSizeInBytes; })
+    callbacks.GetFileSizeInBytes = [](std::size_t* size, std::string* error, const std::string& path,
+                                      void* user_data) {
+      return open_for_library(path, error, user_data, [&](const OpenFile& file) { *size = file.size(); });
+    };
+  callbacks.user_data = &files;
+  return callbacks;
+}
+
+// From 2.9 on the library says whether it took the callbacks. If not it would keep its own, which open any
+// path of the disk.
+template <typename Reader>
+void open_files_by(Reader& reader, const tinygltf::FsCallbacks& callbacks) {
+  if constexpr (std::is_void_v<decltype(reader.SetFsCallbacks(callbacks))>)
+    reader.SetFsCallbacks(callbacks);
+  else if (!reader.SetFsCallbacks(callbacks))
+    throw std::logic_error(
+        "tinygltf did not take our functions for files; expected: one for each that its FsCallbacks has. "
+        "src/importer/source.cpp sets those of the versions 2.7 to 2.9");
 }
 
 // NOLINTNEXTLINE(readability-function-size): the parameters are those of the library's callback.
@@ -192,19 +249,8 @@ std::string decoded_uri(std::string_view uri) {
 }
 
 std::string read_beside(const std::filesystem::path& file, const std::string& path, const std::string& what) {
-  const auto bad = [&](const std::string& problem) {
-    throw InputError(fmt::format("{}: {} is '{}': {}", file.string(), what, path, problem));
-  };
-  if (const auto colon = path.find(':'); colon != std::string::npos && path.find('/') > colon)
-    bad("only files beside the scene are read, nothing is fetched; download it, and name it there");
-  if (path.empty() || !leads_inside(path))
-    bad("that leads out of the folder of the scene; copy the file into it, and name it there");
-  const auto folder = std::filesystem::absolute(file).parent_path();
-  const auto opened = open_inside(folder, path);
-  if (!opened)
-    bad(fmt::format("there is no such file in {} (symbolic links are not followed); copy it there",
-                    folder.string()));
-  return opened->read(0, opened->size());
+  const auto opened = opened_beside(file, path, what);
+  return opened.read(0, opened.size());
 }
 
 Source read_source(const std::filesystem::path& file) {
@@ -223,11 +269,7 @@ Source read_source(const std::filesystem::path& file) {
   Files files{file, {}};
   tinygltf::TinyGLTF reader;
   reader.SetImageLoader(keep_encoded, nullptr);
-  reader.SetFsCallbacks(
-      {[](const std::string&, void*) { return true; }, [](const std::string& path, void*) { return path; },
-       read_for_library,
-       [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; },
-       &files});
+  open_files_by(reader, callbacks_of<tinygltf::FsCallbacks>(files));
   std::string error;
   std::string warning;
   const auto size = static_cast<unsigned>(bytes.size());

@@ -34,12 +34,13 @@ std::string read_beside(const std::filesystem::path& file, const std::string& pa
 [[noreturn]] void refuse(const Source& source, const std::string& problem);
 
 /// list[index]. InputError if there is no such element; `kind`: "accessor"; `where` names it: "mesh 'box'".
+/// By value, since GCC from 13 on takes a reference to a temporary for what the returned one may lead to.
 template <typename Element>
 const Element& item(const Source& source,
                     const std::vector<Element>& list,
                     int index,
                     const char* kind,
-                    const std::string& where) {
+                    std::string_view where) {
   if (index >= 0 && static_cast<std::size_t>(index) < list.size())
     return list[static_cast<std::size_t>(index)];
   refuse(source, fmt::format("{} names {} {}, and the file has {} of them, counted from 0; the program that "

@@ -156,13 +156,20 @@ TEST(BadGltf, FilesOutsideOfTheFolderAreNotRead) {
   const ImportFolder folder;
   write_file(folder.path().parent_path() / "orbs-importer-outside.bin", "x");
   std::filesystem::create_symlink("/etc/hostname", folder.path() / "link.png");
+  std::filesystem::create_symlink("/etc", folder.path() / "link");
+  ASSERT_FALSE(std::filesystem::current_path() == folder.path());
   const std::vector<std::pair<const char*, const char*>> cases{
       {"../orbs-importer-outside.bin", "leads out of the folder"},
       {"%2e%2e/orbs-importer-outside.bin", "leads out of the folder"},
       {"/etc/hostname", "leads out of the folder"},
       {"http://example.com/a.png", "nothing is fetched"},
       {"file:///etc/hostname", "nothing is fetched"},
+      {"%2fetc%2fhostname", "leads out of the folder"},
+      {"below/../../orbs-importer-outside.bin", "leads out of the folder"},
+      {"~/.profile", "there is no such file in"},
+      {"$HOME/.profile", "there is no such file in"},
       {"link.png", "symbolic links are not followed"},
+      {"link/hostname", "symbolic links are not followed"},
       {"nowhere.png", "there is no such file in"}};
   for (const auto& [uri, because] : cases) {
     auto image =
@@ -177,6 +184,22 @@ TEST(BadGltf, FilesOutsideOfTheFolderAreNotRead) {
     EXPECT_TRUE(contains(message, because)) << uri << ": " << message;
   }
   std::filesystem::remove(folder.path().parent_path() / "orbs-importer-outside.bin");
+}
+
+// The same functions of the library open what may be opened.
+TEST(BadGltf, ABufferBesideTheFileIsRead) {
+  const ImportFolder folder;
+  auto made = triangle();
+  made.json["buffers"] =
+      json::array({{{"byteLength", made.buffer.size()}, {"uri", "below/the%20numbers.bin"}}});
+  make_folder(folder.path() / "below");
+  write_file(folder.path() / "below" / "the numbers.bin", made.buffer);
+  write_file(folder.path() / "beside.gltf", made.json.dump());
+  const auto out = folder.path() / "out";
+  make_folder(out);
+  importer::Report report;
+  const auto scene = importer::import_scene(folder.path() / "beside.gltf", out, "beside", {}, report);
+  EXPECT_EQ(scene.meshes.size(), 1u);
 }
 
 TEST(BadGltf, AnImageThatIsTornIsNamed) {
