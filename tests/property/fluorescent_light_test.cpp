@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 namespace {

@@ -6,6 +6,7 @@
 
 #include <numbers>
 
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 namespace {

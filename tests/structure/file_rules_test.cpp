@@ -98,6 +98,26 @@ TEST(FileRules, CommandsPrintThroughTheFunctionThatCleans) {
   EXPECT_TRUE(found.empty()) << orbs::structure::joined(found);
 }
 
+// fmt has join() in format.h up to version 10, and in ranges.h from 11 on.
+TEST(FileRules, WhoJoinsIncludesTheHeaderThatNewFmtHasItIn) {
+  const std::string join = std::string("fmt::") + "join(";
+  std::vector<std::string> found;
+  for (const char* folder : {"src", "tests", "examples", "plugins"})
+    for (const auto& file :
+         orbs::structure::files_below(fs::path(ORBS_SOURCE_DIR) / folder, {".cpp", ".h"})) {
+      bool is_included = false;
+      std::size_t use = 0;
+      const auto lines = orbs::structure::lines_of(file);
+      for (std::size_t i = 0; i < lines.size(); ++i) {
+        is_included = is_included || lines[i] == "#include <fmt/ranges.h>";
+        if (lines[i].find(join) != std::string::npos) use = i + 1;
+      }
+      if (use > 0 && !is_included)
+        found.push_back(orbs::structure::place(ORBS_SOURCE_DIR, file, use) + "joins without <fmt/ranges.h>");
+    }
+  EXPECT_TRUE(found.empty()) << orbs::structure::joined(found);
+}
+
 TEST(FileRules, AFileOfFiveHundredAndOneLinesIsNamed) {
   const TestFolder scratch("file-rules-long");
   std::string text;
