@@ -1,3 +1,7 @@
+# By the compiler, which may be one for another machine than this.
+include(CheckCXXSymbolExists)
+check_cxx_symbol_exists(__x86_64__ "" ORBS_IS_X86_64)
+
 # What every target of ours is compiled with.
 add_library(orbs_options INTERFACE)
 target_compile_options(orbs_options INTERFACE
@@ -8,8 +12,11 @@ target_compile_options(orbs_options INTERFACE
   -ffp-contract=off -fno-fast-math
   # These two only say that nobody reads errno or traps; every value, NaN and infinities included, stays the same.
   -fno-math-errno -fno-trapping-math
-  # AVX2 machines are the oldest that Cycles and Embree are still tuned for; every x86-64 since 2013 has it.
-  -march=x86-64-v3
+  # As on x86-64 without saying: comparisons of characters mean the same on ARM64.
+  $<$<NOT:$<BOOL:${ORBS_IS_X86_64}>>:-fsigned-char>
+  # AVX2 machines are the oldest that Cycles and Embree are still tuned for; every x86-64 since 2013 has it, and
+  # base/processor.cpp says so to the others. ARM64 has all that is used from its first version on.
+  $<$<BOOL:${ORBS_IS_X86_64}>:-march=x86-64-v3>
   $<$<BOOL:${ORBS_WERROR}>:-Werror>
   $<$<BOOL:${ORBS_SANITIZE}>:-fsanitize=address,undefined,float-cast-overflow;-fno-sanitize-recover=all>
   $<$<BOOL:${ORBS_SANITIZE}>:-fno-omit-frame-pointer;-D_GLIBCXX_ASSERTIONS>

@@ -1,13 +1,12 @@
 #include "tracer_cli/faulty_program.h"
 
 #include "image/reduced_precision.h"
+#include "plugins/flush_to_zero.h"
 #include "tracer/numeric_fault.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include <immintrin.h>
 
 namespace orbs::tracer_cli {
 
@@ -85,9 +84,7 @@ void begin_numeric_fault(const std::string& name) {
   for (const auto& one : tracer::kNumericFaults)
     if (one.name == name) tracer::active_fault = one.fault;
   // Threads take over the flags of the one that starts them.
-  constexpr unsigned int kFlushToZero = 0x8000;
-  constexpr unsigned int kDenormalsAreZero = 0x0040;
-  if (has_fault(NumericFault::DenormalsFlushed)) _mm_setcsr(_mm_getcsr() | kFlushToZero | kDenormalsAreZero);
+  if (has_fault(NumericFault::DenormalsFlushed)) tests::flush_small_numbers();
 }
 
 scene::Scene as_kept(scene::Scene scene) {
