@@ -108,6 +108,18 @@ Stokes<Real> row_times(const Stokes<Real>& row, const Mueller<Real>& a) {
   return out;
 }
 
+/// Cosine and sine, of a float too by the functions for double: those for floats are not the same in all
+/// libraries, and so would images not be.
+template <typename Real>
+Real cos_of(Real angle_rad) {
+  return static_cast<Real>(std::cos(static_cast<double>(angle_rad)));
+}
+
+template <typename Real>
+Real sin_of(Real angle_rad) {
+  return static_cast<Real>(std::sin(static_cast<double>(angle_rad)));
+}
+
 /// Rotation of the reference frame of a Stokes vector: the new x axis is the old one rotated towards the old
 /// y. Cosine and sine are of twice the angle.
 template <typename Real>
@@ -118,7 +130,7 @@ struct FrameTurn {
 
 template <typename Real>
 FrameTurn<Real> frame_turn(Real angle_rad) {
-  return {std::cos(2 * angle_rad), std::sin(2 * angle_rad)};
+  return {cos_of(2 * angle_rad), sin_of(2 * angle_rad)};
 }
 
 /// Rotation from the reference direction `from` to `to`, unit vectors perpendicular to the unit direction of
@@ -163,7 +175,7 @@ AlignedMueller<Real> polariser_along_x() {
 /// (pi / 2) converts light polarised at +45 degrees to left-circular light.
 template <typename Real>
 AlignedMueller<Real> retarder_fast_along_x(Real retardance_rad) {
-  return {1, 0, std::cos(retardance_rad), -std::sin(retardance_rad)};
+  return {1, 0, cos_of(retardance_rad), -sin_of(retardance_rad)};
 }
 
 /// Amplitudes of a wave incident from a dielectric on the boundary to another medium.

@@ -134,6 +134,18 @@ V sample_ggx_visible(V wo, RealOf<V> alpha, V2 disk) {
   return sample_ggx_visible(wo, alpha, alpha, disk);
 }
 
+/// exp and erfc, of a float too by the functions for double: those for floats are not the same in all
+/// libraries, and so would images not be.
+template <typename Real>
+Real exp_of(Real x) {
+  return static_cast<Real>(std::exp(static_cast<double>(x)));
+}
+
+template <typename Real>
+Real erfc_of(Real x) {
+  return static_cast<Real>(std::erfc(static_cast<double>(x)));
+}
+
 /// Beckmann distribution of microfacet normals, per solid angle (Walter eq. 25).
 template <typename V>
 RealOf<V> beckmann_d(V m, RealOf<V> alpha) {
@@ -141,7 +153,7 @@ RealOf<V> beckmann_d(V m, RealOf<V> alpha) {
   if (m.z <= 0) return 0;
   const Real cos2 = m.z * m.z;
   const Real alpha2 = alpha * alpha;
-  return std::exp(-(m.x * m.x + m.y * m.y) / (alpha2 * cos2)) /
+  return exp_of(-(m.x * m.x + m.y * m.y) / (alpha2 * cos2)) /
          (std::numbers::pi_v<Real> * alpha2 * cos2 * cos2);
 }
 
@@ -153,7 +165,7 @@ RealOf<V> beckmann_lambda(V w, RealOf<V> alpha) {
   if (w.z == 0) return std::numeric_limits<Real>::infinity();
   if (sine == 0) return 0;
   const Real a = std::abs(w.z) / (alpha * sine);
-  return (std::exp(-a * a) * std::numbers::inv_sqrtpi_v<Real> / a - std::erfc(a)) / 2;
+  return (exp_of(-a * a) * std::numbers::inv_sqrtpi_v<Real> / a - erfc_of(a)) / 2;
 }
 
 template <typename V>
@@ -175,7 +187,7 @@ template <typename Real>
 Real beckmann_visible_slope(Real tangent, Real u) {
   constexpr Real kInvSqrtPi = std::numbers::inv_sqrtpi_v<Real>;
   // Cumulative distribution at x, up to the constant that normalises it.
-  const auto below = [&](Real x) { return std::erfc(-x) / 2 + tangent * std::exp(-x * x) * kInvSqrtPi / 2; };
+  const auto below = [&](Real x) { return erfc_of(-x) / 2 + tangent * exp_of(-x * x) * kInvSqrtPi / 2; };
   const Real end = tangent > 0 ? 1 / tangent : std::numeric_limits<Real>::infinity();
   const Real far =
       std::numeric_limits<Real>::digits > 24 ? Real(6) : Real(4.2);  // erfc there is below one ulp of 1
@@ -187,7 +199,7 @@ Real beckmann_visible_slope(Real tangent, Real u) {
   while (high - low > resolution) {
     const Real error = below(x) - goal;
     (error > 0 ? high : low) = x;
-    const Real step = error / ((1 - tangent * x) * std::exp(-x * x) * kInvSqrtPi);
+    const Real step = error / ((1 - tangent * x) * exp_of(-x * x) * kInvSqrtPi);
     if (std::abs(step) <= resolution) break;
     const Real next = x - step;
     x = next > low && next < high ? next : low + (high - low) / 2;

@@ -48,7 +48,9 @@ FilmWaves<Real> film_waves(const ThinFilm<Real>& film, Real cos_i, Real waveleng
   waves.film = wave_root(film.film_index * film.film_index - across2);
   waves.base = wave_root(film.base_index * film.base_index - across2);
   const Real turn = 2 * std::numbers::pi_v<Real> * film.height_nm / wavelength_nm;
-  waves.through = std::exp(std::complex<Real>(0, turn) * waves.film);
+  // In double for floats too: the functions for floats are not the same in all libraries.
+  waves.through =
+      std::complex<Real>(std::exp(std::complex<double>(std::complex<Real>(0, turn) * waves.film)));
   return waves;
 }
 

@@ -1,5 +1,7 @@
 #include "image/colour.h"
 
+#include "base/in_double.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,12 +10,12 @@ namespace orbs::image {
 
 float srgb_encode(float value) {
   if (value <= 0.0031308F) return 12.92F * value;
-  return 1.055F * std::pow(value, 1.0F / 2.4F) - 0.055F;
+  return 1.055F * in_double::pow(value, 1.0F / 2.4F) - 0.055F;
 }
 
 float srgb_decode(float value) {
   if (value <= 0.04045F) return value / 12.92F;
-  return std::pow((value + 0.055F) / 1.055F, 2.4F);
+  return in_double::pow((value + 0.055F) / 1.055F, 2.4F);
 }
 
 Image display_image(const Image& image) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/in_double.h"
 #include "snippets/ggx.h"
 #include "tracer/bsdf/bsdf_sample.h"
 #include "tracer/colour/scene_colours.h"
@@ -81,7 +82,8 @@ inline float lobe_alpha(const AnisotropicGgxMaterial& material) {
 /// The direction of increasing u at the surface, turned about the normal of the outside, in the x-y plane of
 /// the frame in which the path scatters. Along the normal itself there is none: the frame's x stands in.
 inline Vec2f axis_in_frame(Vec3f along_u, Vec3f outside, float rotation, bool is_outside) {
-  const Vec3f turned = along_u * std::cos(rotation) + cross(outside, along_u) * std::sin(rotation);
+  const Vec3f turned =
+      along_u * in_double::cos(rotation) + cross(outside, along_u) * in_double::sin(rotation);
   const Frame frame = frame_around(is_outside ? outside : -outside);
   const float x = dot(turned, frame.x);
   const float y = dot(turned, frame.y);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/in_double.h"
 #include "base/vec.h"
 #include "tracer/numeric_fault.h"
 
@@ -71,7 +72,7 @@ inline float fresnel_dielectric(float cos_i, float eta) {
   if (sin2_t >= 1) return 1;
   if (has_fault(NumericFault::FresnelBySchlick)) {
     const float at_normal = (eta - 1) * (eta - 1) / ((eta + 1) * (eta + 1));
-    return at_normal + (1 - at_normal) * std::pow(1 - cos_i, 5.0F);
+    return at_normal + (1 - at_normal) * in_double::pow(1 - cos_i, 5.0F);
   }
   const float cos_t = std::sqrt(1 - sin2_t);
   const float parallel = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);

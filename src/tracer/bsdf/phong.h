@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/in_double.h"
 #include "tracer/bsdf/bsdf_sample.h"
 #include "tracer/colour/scene_colours.h"
 #include "tracer/sampling/warps.h"
@@ -25,7 +26,7 @@ template <typename Value>
 BsdfValue<Value> evaluate(const PhongBsdf<Value>& bsdf, Vec3f wo, Vec3f wi) {
   const float cosine = dot(wi, Vec3f{-wo.x, -wo.y, wo.z});
   if (wi.z <= 0 || cosine <= 0) return {};
-  const float lobe = std::pow(cosine, bsdf.exponent) * (0.5F * kInvPi);
+  const float lobe = in_double::pow(cosine, bsdf.exponent) * (0.5F * kInvPi);
   return {bsdf.reflectance * (lobe * (bsdf.exponent + 2) * wi.z), lobe * (bsdf.exponent + 1)};
 }
 
@@ -35,13 +36,13 @@ std::optional<BsdfSample<Value>> sample(const PhongBsdf<Value>& bsdf,
                                         Vec3f wo,
                                         const std::array<float, 4>& u) {
   // For n = 0 the share u within a cosine is 1 - cosine: u[0] = 0 is the mirrored direction for every n.
-  const float cosine = std::pow(1 - u[0], 1 / (bsdf.exponent + 1));
+  const float cosine = in_double::pow(1 - u[0], 1 / (bsdf.exponent + 1));
   const float sine = std::sqrt(std::max(0.0F, (1 - cosine) * (1 + cosine)));
   const float azimuth = 2 * kPi * u[1];
   const auto frame = frame_around(Vec3f{-wo.x, -wo.y, wo.z});
-  const Vec3f wi = frame.to_world({sine * std::cos(azimuth), sine * std::sin(azimuth), cosine});
+  const Vec3f wi = frame.to_world({sine * in_double::cos(azimuth), sine * in_double::sin(azimuth), cosine});
   if (wi.z <= 0) return std::nullopt;  // the lobe reaches below the surface, where it reflects nothing
-  const float lobe = std::pow(cosine, bsdf.exponent) * (0.5F * kInvPi);
+  const float lobe = in_double::pow(cosine, bsdf.exponent) * (0.5F * kInvPi);
   return BsdfSample<Value>{.wi = wi,
                            .weight = bsdf.reflectance * ((bsdf.exponent + 2) / (bsdf.exponent + 1) * wi.z),
                            .pdf = lobe * (bsdf.exponent + 1)};

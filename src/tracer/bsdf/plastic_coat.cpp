@@ -1,5 +1,6 @@
 #include "tracer/bsdf/plastic_coat.h"
 
+#include "base/in_double.h"
 #include "tracer/bsdf/fresnel.h"
 #include "tracer/bsdf/microfacets.h"
 
@@ -33,7 +34,7 @@ Parts parts_by_facets(float eta, float alpha, float cosine) {
     const float cos_m = 1 / std::sqrt(1 + slope * slope);
     for (int j = 0; j < kAzimuths; ++j) {
       const float azimuth = (static_cast<float>(j) + 0.5F) * kPi / kAzimuths;
-      const Vec3f m = Vec3f{slope * std::cos(azimuth), slope * std::sin(azimuth), 1} * cos_m;
+      const Vec3f m = Vec3f{slope * in_double::cos(azimuth), slope * in_double::sin(azimuth), 1} * cos_m;
       const float cos_o = std::min(dot(wo, m), 1.0F);  // rounding only: both are unit vectors
       if (!(cos_o > 0)) continue;
       const float fresnel = fresnel_dielectric(cos_o, eta);

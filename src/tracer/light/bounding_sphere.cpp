@@ -1,5 +1,6 @@
 #include "tracer/light/bounding_sphere.h"
 
+#include "base/in_double.h"
 #include "tracer/geometry/transforms.h"
 #include "tracer/sampling/warps.h"
 
@@ -23,7 +24,7 @@ Vec3f sample_cone(Vec3f axis, float height, float u, float v) {
   const float down = u * height;
   const float sine = std::sqrt(down * (2 - down));
   const float phi = 2 * kPi * v;
-  return frame_around(axis).to_world({sine * std::cos(phi), sine * std::sin(phi), 1 - down});
+  return frame_around(axis).to_world({sine * in_double::cos(phi), sine * in_double::sin(phi), 1 - down});
 }
 
 // Of a sphere seen from outside.

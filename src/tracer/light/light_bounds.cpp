@@ -1,5 +1,6 @@
 #include "tracer/light/light_bounds.h"
 
+#include "base/in_double.h"
 #include "tracer/sampling/warps.h"
 
 #include <algorithm>
@@ -35,9 +36,9 @@ void merge_cones(const LightBounds& a, const LightBounds& b, LightBounds& out) {
   const LightBounds& wide = a.cos_spread <= b.cos_spread ? a : b;
   const Vec3f wide_axis = a.cos_spread <= b.cos_spread ? a.axis : b_axis;
   const Vec3f narrow_axis = a.cos_spread <= b.cos_spread ? b_axis : a.axis;
-  const float wide_angle = std::acos(std::clamp(wide.cos_spread, -1.0F, 1.0F));
-  const float narrow_angle = std::acos(std::clamp(std::max(a.cos_spread, b.cos_spread), -1.0F, 1.0F));
-  const float between = std::acos(std::clamp(dot(wide_axis, narrow_axis), -1.0F, 1.0F));
+  const float wide_angle = in_double::acos(std::clamp(wide.cos_spread, -1.0F, 1.0F));
+  const float narrow_angle = in_double::acos(std::clamp(std::max(a.cos_spread, b.cos_spread), -1.0F, 1.0F));
+  const float between = in_double::acos(std::clamp(dot(wide_axis, narrow_axis), -1.0F, 1.0F));
   out.axis = wide_axis;
   out.cos_spread = wide.cos_spread;
   if (between + narrow_angle <= wide_angle) return;
@@ -48,8 +49,8 @@ void merge_cones(const LightBounds& a, const LightBounds& b, LightBounds& out) {
     return;
   }
   const float turn = half - wide_angle;
-  out.axis = normalised(wide_axis * std::cos(turn) + normalised(across) * std::sin(turn));
-  out.cos_spread = std::cos(half);
+  out.axis = normalised(wide_axis * in_double::cos(turn) + normalised(across) * in_double::sin(turn));
+  out.cos_spread = in_double::cos(half);
 }
 
 // No point of the box has a greater dot product with the normal, seen from `from`.

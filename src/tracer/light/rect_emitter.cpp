@@ -1,5 +1,6 @@
 #include "tracer/light/rect_emitter.h"
 
+#include "base/in_double.h"
 #include "base/vec.h"
 #include "tracer/numeric_fault.h"
 #include "tracer/sampling/warps.h"
@@ -55,13 +56,13 @@ std::optional<SphericalRectangle> make_spherical_rectangle(Vec3d centre,
   r.x1 = static_cast<float>(dot(d, x) + width);
   r.y1 = static_cast<float>(dot(d, y) + height);
   // z components of the normals of the four side planes: -coordinate / hypot(z0, coordinate).
-  const auto plane = [&](float coordinate) { return coordinate / std::hypot(r.z0, coordinate); };
+  const auto plane = [&](float coordinate) { return coordinate / in_double::hypot(r.z0, coordinate); };
   const float n0 = -plane(r.y0);
   const float n1 = plane(r.x1);
   const float n2 = plane(r.y1);
   const float n3 = -plane(r.x0);
   // The clamp is for rounding only.
-  const auto angle = [](float a, float b) { return std::acos(std::clamp(-a * b, -1.0F, 1.0F)); };
+  const auto angle = [](float a, float b) { return in_double::acos(std::clamp(-a * b, -1.0F, 1.0F)); };
   const float g0 = angle(n0, n1);
   const float g1 = angle(n1, n2);
   const float g2 = angle(n2, n3);
@@ -77,7 +78,7 @@ std::optional<SphericalRectangle> make_spherical_rectangle(Vec3d centre,
 // World position for (u, v) in [0, 1)^2.
 Vec3f sample_point(const SphericalRectangle& r, float u, float v) {
   const float au = u * r.solid_angle + r.k;
-  const float fu = (std::cos(au) * r.b0 - r.b1) / std::sin(au);
+  const float fu = (in_double::cos(au) * r.b0 - r.b1) / in_double::sin(au);
   // The clamps below are for rounding only: the exact values lie within the edges (Urena et al. 2013, 4.1).
   const float cu = std::clamp(std::copysign(1 / std::sqrt(fu * fu + r.b0 * r.b0), fu), -1.0F, 1.0F);
   const float xu = std::clamp(-(cu * r.z0) / std::sqrt(std::max(1e-12F, 1 - cu * cu)), r.x0, r.x1);

@@ -1,5 +1,6 @@
 #include "tracer/light/sphere_emitter.h"
 
+#include "base/in_double.h"
 #include "tracer/accel/curved_surface.h"
 #include "tracer/geometry/transforms.h"
 #include "tracer/numeric_fault.h"
@@ -63,7 +64,7 @@ SphereEmitter make_emitter(const scene::SphereShape& sphere, const Mat4& matrix,
     out.inverse[i] = {back(i, 0), back(i, 1), back(i, 2)};
   }
   out.determinant = std::abs(determinant3(map));
-  out.area = 4 * kPi * std::pow(static_cast<float>(out.determinant), 2.0F / 3.0F);
+  out.area = 4 * kPi * in_double::pow(static_cast<float>(out.determinant), 2.0F / 3.0F);
   return out;
 }
 
@@ -88,8 +89,8 @@ std::optional<EmitterPoint> sample_towards(const SphereEmitter& sphere, Vec3f fr
   const double along_ray = (distance2 - 1) / (distance * cos_theta + root);
   const double sin_alpha = along_ray * std::sqrt(sin2_theta);
   const float phi = 2 * kPi * v;
-  const double x = sin_alpha * static_cast<double>(std::cos(phi));
-  const double y = sin_alpha * static_cast<double>(std::sin(phi));
+  const double x = sin_alpha * static_cast<double>(in_double::cos(phi));
+  const double y = sin_alpha * static_cast<double>(in_double::sin(phi));
   const Vec3d on_sphere = frame_around(view / distance).to_world({x, y, cos_alpha});
   const Vec3d position = sphere.centre + to_world(sphere, on_sphere);
   const double stretch = length(position - cast<double>(from)) / along_ray;
@@ -111,7 +112,7 @@ EmittingPoint point_on(const SphereEmitter& sphere, float u, float v) {
   const float z = 1 - 2 * u;
   const float r = std::sqrt(1 - z * z);  // z is exact and in [-1, 1], so this is not negative
   const float phi = 2 * kPi * v;
-  const Vec3d p = cast<double>(Vec3f{r * std::cos(phi), r * std::sin(phi), z});
+  const Vec3d p = cast<double>(Vec3f{r * in_double::cos(phi), r * in_double::sin(phi), z});
   const Vec3d normal = gradient_at(sphere, p);
   return {cast<float>(sphere.centre + to_world(sphere, p)),
           cast<float>(normalised(normal)),

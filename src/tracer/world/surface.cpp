@@ -1,5 +1,6 @@
 #include "tracer/world/surface.h"
 
+#include "base/in_double.h"
 #include "base/nth.h"
 #include "tracer/colour/uv_at.h"
 #include "tracer/numeric_fault.h"
@@ -113,9 +114,9 @@ SurfacePoint other_point(const World& world, const RenderObject& object, const R
 }
 
 Vec2f uv_of_sphere(Vec3f n) {
-  const float around = std::atan2(n.x, n.z) / (2 * kPi);
+  const float around = in_double::atan2(n.x, n.z) / (2 * kPi);
   // Rounding only: n is a unit vector.
-  return {around < 0 ? around + 1 : around, 0.5F + std::asin(std::clamp(n.y, -1.0F, 1.0F)) * kInvPi};
+  return {around < 0 ? around + 1 : around, 0.5F + in_double::asin(std::clamp(n.y, -1.0F, 1.0F)) * kInvPi};
 }
 
 }  // namespace
