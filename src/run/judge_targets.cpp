@@ -8,6 +8,7 @@
 #include "judge/diagnosis.h"
 #include "judge/difference.h"
 #include "judge/judge.h"
+#include "judge/nearest_reading.h"
 #include "judge/provenance.h"
 #include "metrics/merged_renders.h"
 #include "metrics/surface_layers.h"
@@ -183,12 +184,15 @@ std::optional<Judged> passed_by_accepted(const Plan& plan,
 // --maps' compute them.
 judge::Look judge_target(const Plan& plan,
                          const PlannedTarget& planned,
-                         const JudgedImage& image,
+                         const JudgedImage& given,
                          const WorkFolders& folders,
                          TargetRecord& record) {
   const auto& one_case = plan.cases[planned.one_case];
   auto reference = judge::load_reference(one_case, planned.target, plan.suite.references,
                                          plan.reference_hashes, folders.references);
+  const auto read = reference.image ? judge::nearest_reading(given.image, *reference.image) : std::nullopt;
+  const JudgedImage image{read ? *read : given.image, given.halves, given.spp, given.first_guess,
+                          given.condition};
   const auto judgement = judge::judge_image(one_case, image.image, reference,
                                             judge_settings(plan, planned, reference, image), record);
   auto look = judgement.look;
