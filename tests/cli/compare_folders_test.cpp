@@ -78,3 +78,30 @@ TEST(CompareFolders, WritesAPageInOneFileAndJson) {
   EXPECT_EQ(in.text("format"), "orbs-folder-comparison/1");
   EXPECT_EQ(in.objects("pairs").size(), 6U);
 }
+
+TEST(CompareFolders, NothingThatLooksLikeAnImageIsLeftOutWithoutAWord) {
+  const Sandbox sandbox;
+  write_grey(sandbox, "a/case.exr", 0.5F);
+  write_grey(sandbox, "b/case.exr", 0.5F);
+  sandbox.shell("mv a/case.exr a/case.EXR");
+  const auto alike = sandbox.orbs({"compare", "a", "b"});
+  EXPECT_EQ(alike.status, 0) << alike.text;
+  EXPECT_TRUE(contains(alike.text, "1 images: 0 beyond the tolerance, 0 missing")) << alike.text;
+  sandbox.shell(
+      "cp a/case.EXR a/K.EXR; cp a/case.EXR a/depth.tif; ln -s nowhere b/gone.png; cp a/K.EXR a/case.Exr");
+  const auto answer = sandbox.orbs({"compare", "a", "b"});
+  EXPECT_EQ(answer.status, 1);
+  for (const char* part : {"K.EXR", "is missing in b", "depth.tif", "is of a format that is not read, in a",
+                           "gone.png", "is no file in b", "has the name of another image in a",
+                           "5 images: 0 beyond the tolerance, 4 missing or not comparable"})
+    EXPECT_TRUE(contains(answer.text, part)) << part << "\n" << answer.text;
+}
+
+// Nothing else is there.
+TEST(CompareFolders, ImagesThatCannotBeReadAloneAreNamed) {
+  const Sandbox sandbox;
+  sandbox.shell("mkdir a b; echo x > a/K.tiff");
+  const auto answer = sandbox.orbs({"compare", "a", "b"});
+  EXPECT_EQ(answer.status, 1) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "K.tiff")) << answer.text;
+}

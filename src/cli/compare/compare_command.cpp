@@ -142,6 +142,11 @@ void add_compare_command(const command_line::Command& command, const Program& /*
                   "The image that it should equal, or a folder with images of the same names")
       .required();
   command.add_option("--metric", options->metric, "Metric that --min and --max limit (default: psnr_srgb8)");
+  command
+      .add_option("--channels", options->channels,
+                  "Of images with layers: the layer, as ViewLayer.Combined, or the channel that is compared")
+      .value_name("NAME")
+      .not_empty("a layer or a channel");
   command.add_option("--min", options->min, "Smallest value within the tolerance").any_number();
   command.add_option("--max", options->max, "Largest value within the tolerance").any_number();
   command.add_option("--maps", options->maps, "Folder for the error maps, as EXR and PNG")

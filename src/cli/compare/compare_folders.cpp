@@ -13,10 +13,12 @@
 #include "report/packed_image.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <limits>
-#include <set>
+#include <map>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -38,17 +40,41 @@ struct Pair {
   std::string pictures{};                                    // of the page
 };
 
-// Names relative to the folder, with "/" between their parts.
-std::set<std::string> image_names(const fs::path& folder) {
-  static const std::set<std::string> kEndings{".exr", ".hdr", ".png", ".jpg", ".jpeg",
-                                              ".bmp", ".tga", ".pfm", ".ppm", ".pgm"};
+// What looks like an image below a folder.
+struct Images {
+  // By name relative to the folder with "/" between its parts and the ending in lower case, as it is there.
+  std::map<std::string, std::string> files;
+  std::vector<Pair> not_compared;  // with the reason
+};
+
+std::string with_lower_ending(const std::string& name) {
+  const auto ending = fs::path(name).extension().string().size();
+  std::string lower = name;
+  std::transform(lower.end() - static_cast<std::ptrdiff_t>(ending), lower.end(),
+                 lower.end() - static_cast<std::ptrdiff_t>(ending),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return lower;
+}
+
+Images images_in(const fs::path& folder) {
   if (!fs::is_directory(folder))
     throw InputError(fmt::format("{} is no folder; name two images or two folders", folder.string()));
-  std::set<std::string> names;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file() && kEndings.contains(entry.path().extension().string()))
-      names.insert(entry.path().lexically_relative(folder).generic_string());
-  return names;
+  Images images;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_directory() || !image::looks_like_image(entry.path())) continue;
+    const auto name = entry.path().lexically_relative(folder).generic_string();
+    std::error_code failed;
+    if (!entry.is_regular_file(failed))
+      images.not_compared.push_back({name, fmt::format("is no file in {}", folder.string())});
+    else if (!image::is_image_name(entry.path()))
+      images.not_compared.push_back(
+          {name, fmt::format("is of a format that is not read, in {}", folder.string())});
+    else if (!images.files.emplace(with_lower_ending(name), name).second)
+      images.not_compared.push_back(
+          {name, fmt::format("has the name of another image in {} but for the case of its ending",
+                             folder.string())});
+  }
+  return images;
 }
 
 double badness_of(const metrics::MetricInfo& metric, const std::optional<double>& value) {
@@ -83,11 +109,11 @@ std::string pictures_of(const ComparedImages& compared) {
   return text;
 }
 
-Pair compare_pair(const std::string& name, const CompareOptions& options) {
-  Pair pair{name};
+Pair compare_pair(const std::string& first, const std::string& second, const CompareOptions& options) {
+  Pair pair{first};
   try {
-    const auto compared = compare_images((fs::path(options.first) / name).string(),
-                                         (fs::path(options.second) / name).string(), options);
+    const auto compared = compare_images((fs::path(options.first) / first).string(),
+                                         (fs::path(options.second) / second).string(), options);
     pair.value = metrics::value_of(compared.comparison, options.metric);
     pair.badness = badness_of(metrics::find_metric(options.metric), pair.value);
     pair.is_beyond = is_beyond(options, pair.value);
@@ -100,19 +126,20 @@ Pair compare_pair(const std::string& name, const CompareOptions& options) {
 
 // All names of both, the worst first; of equal ones in the order of their names.
 std::vector<Pair> compared_pairs(const CompareOptions& options) {
-  const auto first = image_names(options.first);
-  const auto second = image_names(options.second);
-  auto all = first;
-  all.insert(second.begin(), second.end());
+  const auto first = images_in(options.first);
+  const auto second = images_in(options.second);
   std::vector<Pair> pairs;
-  for (const auto& name : all) {
-    if (first.contains(name) && second.contains(name)) {
-      pairs.push_back(compare_pair(name, options));
-    } else {
-      pairs.push_back(
-          {name, fmt::format("is missing in {}", first.contains(name) ? options.second : options.first)});
-    }
+  for (const auto& [name, file] : first.files) {
+    if (const auto same = second.files.find(name); same != second.files.end())
+      pairs.push_back(compare_pair(file, same->second, options));
+    else
+      pairs.push_back({file, fmt::format("is missing in {}", options.second)});
   }
+  for (const auto& [name, file] : second.files)
+    if (!first.files.contains(name)) pairs.push_back({file, fmt::format("is missing in {}", options.first)});
+  for (const auto* images : {&first, &second})
+    pairs.insert(pairs.end(), images->not_compared.begin(), images->not_compared.end());
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.name < b.name; });
   std::stable_sort(pairs.begin(), pairs.end(),
                    [](const Pair& a, const Pair& b) { return a.badness > b.badness; });
   return pairs;

@@ -1,6 +1,7 @@
 #include "cli/compare/compare_images.h"
 
 #include "base/error.h"
+#include "cli/compare/chosen_channels.h"
 #include "image/colour.h"
 #include "image/image_io.h"
 #include "judge/noise.h"
@@ -36,6 +37,10 @@ ComparedImages compare_images(const std::string& first,
                               const std::string& second,
                               const CompareOptions& options) {
   ComparedImages compared{read_linear(first), read_linear(second), {}, {}, {}};
+  const auto whole = compared.first;  // before its channels are renamed
+  for (auto sentence : {choose_channels(compared.first, compared.second, options.channels, first),
+                        choose_channels(compared.second, whole, options.channels, second)})
+    if (!sentence.empty()) compared.remarks.push_back(std::move(sentence));
   check_variances(compared.first, first);
   check_variances(compared.second, second);
   const auto alignment =
@@ -48,7 +53,8 @@ ComparedImages compare_images(const std::string& first,
   if (!options.metric.empty()) selection.also = {options.metric};
   compared.comparison = metrics::compare(pair, selection);
   compared.channels = metrics::channel_differences(compared.first, compared.second);
-  compared.remarks = metrics::bias_remarks(pair.noise);
+  const auto bias = metrics::bias_remarks(pair.noise);
+  compared.remarks.insert(compared.remarks.end(), bias.begin(), bias.end());
   return compared;
 }
 

@@ -15,6 +15,7 @@ struct CompareOptions {
   std::string first;
   std::string second;
   std::string metric;
+  std::string channels;  // layer or channel that is compared; "": what the images say themselves
   std::optional<double> min;
   std::optional<double> max;
   std::string maps;
@@ -29,7 +30,7 @@ struct ComparedImages {
   image::Image second;
   metrics::Comparison comparison;
   metrics::ChannelDifferences channels;  // of those that are no colour
-  std::vector<std::string> remarks;      // on what is left beside noise; none where the images state no noise
+  std::vector<std::string> remarks;      // what was chosen; and what is left beside noise, if they state it
 };
 
 /// Reads both and compares them by the metrics that `options` want. InputError where one cannot be read, or
