@@ -21,6 +21,7 @@ import zlib
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SHRINK = 8
 LEAST_SIDE = 16
+SIDE = 1024  # of a camera that says none
 SAMPLES = 4
 
 
@@ -77,7 +78,8 @@ def read_exr(file):
 
 def image_hash(build, scene, folder):
     camera = json.loads((ROOT / scene).read_text(encoding="utf-8"))["camera"]
-    size = [str(max(camera[side] // SHRINK, min(camera[side], LEAST_SIDE))) for side in ("width", "height")]
+    sides = [camera.get(side, SIDE) for side in ("width", "height")]
+    size = [str(max(side // SHRINK, min(side, LEAST_SIDE))) for side in sides]
     image = folder / (str(scene).replace("/", "_") + ".exr")
     command = [build / "orbs-tracer", ROOT / scene, "-o", image, "--spp", str(SAMPLES), "--seed", "1", "--threads", "1",
                "--width", size[0], "--height", size[1], "--plugin-folder", build / "plugins"]
