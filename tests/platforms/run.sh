@@ -94,13 +94,13 @@ test_suite() {  # <suite>
   in_chroot "$root" root true >>"$log" 2>&1 || { cannot "$suite: nothing can be run in the chroot: $log"; return; }
   chroot "$root" id tester >/dev/null 2>&1 || chroot "$root" useradd --home-dir /users/tester tester
   clone tester && clone root || { cannot "$suite: git could not clone: $log"; return; }
-  say "$suite: $(sed -n 's/^PRETTY_NAME=//p' "$root/etc/os-release"), $(chroot "$root" dpkg-query --show | wc -l) packages, $(du -sm "$root/" | cut -f1) MB"
+  say "$suite: $(sed -n 's/^PRETTY_NAME=//p' "$root/etc/os-release"), $(chroot "$root" dpkg-query --show | wc -l) packages, $(du -smx "$root/" | cut -f1) MB"
   # No fault of ours if the mirror does not answer.
   step "packages, by root: ./bootstrap install test" root "apt-get update && '/users/root/check out/bootstrap' install test" || return 77
-  say "$suite: $(chroot "$root" dpkg-query --show | wc -l) packages, $(du -sm "$root/" | cut -f1) MB"
+  say "$suite: $(chroot "$root" dpkg-query --show | wc -l) packages, $(du -smx "$root/" | cut -f1) MB"
   step "by a plain user: ./bootstrap test -L quick" tester 'cd "$HOME/check out" && ./bootstrap test -L quick' || return
   step "by a plain user: ./bootstrap run --size 1/8" tester 'cd "$HOME/check out" && ./bootstrap run --size 1/8' || return
-  say "$suite: build folder $(du -sm "$root/users/tester/check out/build" | cut -f1) MB"
+  say "$suite: build folder $(du -smx "$root/users/tester/check out/build" | cut -f1) MB"
   if [[ $whole == no ]]; then return 0; fi
   step "by a plain user: ./bootstrap test" tester 'cd "$HOME/check out" && ./bootstrap test' || return
   step "by root, anew: ./bootstrap run" root 'cd "$HOME/check out" && ./bootstrap run'
