@@ -1,5 +1,6 @@
 #include "run/isolate.h"
 
+#include "adapters/process/private_parts.h"
 #include "adapters/process/program_places.h"
 #include "adapters/process/programs.h"
 
@@ -22,6 +23,21 @@ bool is_of_entry(const std::string& variable) {
   return true;
 }
 
+// What lies in the folders that are shown, and what of ours the system may have installed. Folders of the
+// system itself, which hold hundreds of thousands of files, are not searched.
+void hide_private_parts(const fs::path& root, adapters::Isolation& isolation) {
+  auto folders = isolation.readable;
+  folders.push_back(root / "data");
+  for (const auto& folder : folders) {
+    std::error_code failed;
+    const auto real = fs::canonical(folder, failed);
+    if (failed || !fs::is_directory(real, failed) || adapters::is_of_system(real)) continue;
+    const auto& parts = adapters::private_parts(real);
+    append(isolation.hidden, parts.folders);
+    append(isolation.hidden, parts.files);
+  }
+}
+
 // Its program, and what its entry names, with the folders around.
 adapters::Isolation isolation_of_program(const Plan& plan,
                                          const ChosenRenderer& renderer,
@@ -39,6 +55,7 @@ adapters::Isolation isolation_of_program(const Plan& plan,
   append(isolation.readable, adapters::named_places(named));
   append(isolation.readable, adapters::readable_places(renderer.entry, plan.root, plan.build));
   isolation.hidden.push_back(plan.suite.references);
+  hide_private_parts(plan.root, isolation);
   isolation.inputs = {renderer.executable, program};
   return isolation;
 }

@@ -12,8 +12,9 @@
 /// their own folder.
 namespace orbs::run {
 
-/// For renders of a scene in `folder` by these command lines. The renderer sees no reference of the suite,
-/// and no run beside the one in `run_folder`, since these hold copies of references.
+/// For renders of a scene in `folder` by these command lines. The renderer sees no reference, case or
+/// repository of version control, and no run beside the one in `run_folder`, since these hold copies of
+/// references.
 adapters::Isolation isolation_of(const Plan& plan,
                                  const ChosenRenderer& renderer,
                                  const scene::Scene& scene,

@@ -146,6 +146,7 @@ adapters::ProcessResult start(const RenderJob& job,
   request.argv = replica.argv;
   request.argv[0] = adapters::find_program(replica.argv[0]).value_or(replica.argv[0]).string();
   if (job.isolation) request.argv = adapters::isolated(request.argv, *job.isolation);
+  request.has_own_keyring = job.isolation.has_value();
   request.folder = replica.folder;
   request.environment = environment_of(job.renderer, replica);
   request.log = replica.folder / "log.txt";

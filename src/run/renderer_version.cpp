@@ -69,6 +69,7 @@ std::string renderer_version(const ChosenRenderer& renderer,
     command.argv =
         adapters::isolated(command.argv, isolation_of_version(plan, renderer, command.argv, scratch.path()));
     command.folder = scratch.path();
+    command.has_own_keyring = true;
   }
   const auto process = answer_of(command, renderer.entry.name, program->string(), request);
   if (process.cause != supervisor::Cause::Nothing || process.signal != 0) {

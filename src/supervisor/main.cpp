@@ -29,6 +29,7 @@ bool set_option(const std::string& name, const std::string& value, Command& comm
   if (name == "--grace-seconds") return limits.grace_seconds = *number, true;
   if (name == "--cpu-seconds") return limits.cpu_seconds = *number, true;
   if (name == "--memory-bytes") return limits.memory_bytes = static_cast<std::size_t>(*number), true;
+  if (name == "--own-keyring") return command.has_own_keyring = *number > 0, true;
   if (name == "--output-bytes") return limits.output_bytes = static_cast<std::size_t>(*number), true;
   return false;
 }
@@ -50,7 +51,7 @@ int main(int argc, char** argv) {
   if (!parse({argv + 1, argv + argc}, command)) {
     fmt::print(stderr,
                "orbs-supervisor [--folder F] [--wall-seconds S] [--cpu-seconds S] [--memory-bytes N] "
-               "[--output-bytes N] [--grace-seconds S] -- program arguments...\n"
+               "[--output-bytes N] [--own-keyring 1] [--grace-seconds S] -- program arguments...\n"
                "Ends the command when its standard input ends; reports to descriptor 3.\n");
     return 2;
   }

@@ -119,7 +119,7 @@ struct ByAddressSpace {
 };
 
 Memory count_by_shares(const std::vector<Task>& tasks, const MemoryFiles& known) {
-  Memory sum;
+  Memory sum{known.other_bytes, known.other_bytes};
   std::map<FileId, std::size_t> mapped;
   std::set<pid_t, ByAddressSpace> counted;
   for (const auto& task : tasks) {

@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "supervisor/descendants.h"
+#include "supervisor/memory_mounts.h"
 
 #include <algorithm>
 #include <ctime>
@@ -93,6 +94,15 @@ void note_open_files(MemoryFiles& known, pid_t task, std::set<FileId>& open) {
   ::closedir(folder);
 }
 
+void note_other_files(MemoryFiles& known, const std::vector<pid_t>& tasks) {
+  auto used = own_tmpfs_bytes(tasks);
+  for (const auto& [id, file] : known.files)
+    if (const auto found = used.find({id.device_major, id.device_minor}); found != used.end())
+      found->second -= std::min(found->second, file.bytes);
+  known.other_bytes = 0;
+  for (const auto& [device, bytes] : used) known.other_bytes += bytes;
+}
+
 std::int64_t now_of_time_stamps_ns() {
   timespec now{};
   ::clock_gettime(CLOCK_REALTIME_COARSE, &now);
@@ -125,6 +135,7 @@ void update(MemoryFiles& known, const std::vector<pid_t>& tasks) {
   }
   std::erase_if(known.files,
                 [&](const auto& entry) { return entry.second.bytes == 0 && !open.contains(entry.first); });
+  note_other_files(known, tasks);
 }
 
 std::size_t new_bytes(const MemoryFile& file) { return file.bytes - std::min(file.bytes, file.old_bytes); }
@@ -132,7 +143,7 @@ std::size_t new_bytes(const MemoryFile& file) { return file.bytes - std::min(fil
 std::size_t total_bytes(const MemoryFiles& known) {
   std::size_t bytes = 0;
   for (const auto& [id, file] : known.files) bytes += new_bytes(file);
-  return bytes;
+  return bytes + known.other_bytes;
 }
 
 }  // namespace orbs::supervisor

@@ -29,11 +29,13 @@ struct MemoryFile {
 
 /// The files in memory of a job. A file belongs to it once one of its processes was seen with it open, and as
 /// long as a process has it open or it lies under its name. So a file that is written and closed between two
-/// updates is not noticed: nothing says then whose it is.
+/// updates is not noticed, unless it lies where the
+/// job alone has mounted something: nothing says then whose it is.
 struct MemoryFiles {
   std::int64_t begin_ns = 0;  // of the job, on the clock of the kernel's time stamps
   std::map<FileId, MemoryFile> files;
   std::map<std::pair<unsigned, unsigned>, bool> is_tmpfs;  // by major and minor number of the device
+  std::size_t other_bytes = 0;  // of files in folders of a sandbox that nobody has open
 };
 
 /// None yet, for a job that begins when this returns, at most some milliseconds later.

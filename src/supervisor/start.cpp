@@ -6,8 +6,10 @@
 #include <csignal>
 
 #include <fcntl.h>
+#include <linux/keyctl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -45,6 +47,10 @@ void restore_signals() {
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
+// The keys of a session (keyrings(7)) go on to all its children, in any namespace: tokens of network disks,
+// passwords of disks. Where the kernel has none, or a container refuses the call, none can be read either.
+void leave_keyring() { ::syscall(SYS_keyctl, KEYCTL_JOIN_SESSION_KEYRING, nullptr); }
+
 // In the child. Returns only when something fails, with errno.
 void exec_command(const Command& command) {
   ::setsid();
@@ -52,6 +58,7 @@ void exec_command(const Command& command) {
   restore_signals();
   limit_file_size(command.limits);
   prefer_for_oom_kill();
+  if (command.has_own_keyring) leave_keyring();
   if (!command.folder.empty() && ::chdir(command.folder.c_str()) != 0) return;
   const int nothing = ::open("/dev/null", O_RDONLY);
   if (nothing < 0 || ::dup2(nothing, STDIN_FILENO) < 0) return;

@@ -15,6 +15,7 @@ struct Command {
   std::vector<std::string> argv;  // argv[0] is the file that is started
   std::filesystem::path folder;   // working directory, whose size is limited; "": ours, not limited
   ProcessLimits limits;
+  bool has_own_keyring = false;  // a new session keyring in the place of ours
 };
 
 struct Started {

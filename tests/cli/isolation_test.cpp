@@ -1,14 +1,17 @@
 // A renderer that looks for what it must not see, with --sandbox and without, as root and as another user.
 #include "base/files.h"
 #include "cli/sandbox.h"
+#include "image/image_io.h"
 
 #include <filesystem>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <linux/keyctl.h>
 #include <sys/ipc.h>
 #include <sys/shm.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 using orbs::ScratchFolder;
@@ -26,6 +29,8 @@ struct Surroundings {
   ScratchFolder folder{"orbs-private"};
   int segment = ::shmget(IPC_PRIVATE, 4096, 0600);
   fs::path shared = fmt::format("/dev/shm/orbs-test-{}", ::getpid());
+  // -1 where a container refuses the call.
+  long key = ::syscall(SYS_add_key, "user", "orbs-test-key", "secret", 6, KEY_SPEC_SESSION_KEYRING);
 
   Surroundings() {
     orbs::write_file(folder.path() / "key", "secret");
@@ -34,6 +39,7 @@ struct Surroundings {
   }
   ~Surroundings() {
     ::shmctl(segment, IPC_RMID, nullptr);
+    if (key >= 0) ::syscall(SYS_keyctl, KEYCTL_UNLINK, key, KEY_SPEC_SESSION_KEYRING);
     std::error_code ignored;
     fs::remove(shared, ignored);
   }
@@ -47,6 +53,12 @@ cat {0}/references/*.exr ../references/*.exr ../../references/*.exr > found 2> /
 test -n "$(find found -size +1k)" && say it reads references
 cat /proc/[0-9]*/root{0}/references/*.exr > found 2> /dev/null
 test -n "$(find found -size +1k)" && say it reads references through other processes
+grep -q orbs-test-key /proc/keys && say it sees keys of the session
+test -s {0}/.git/HEAD && say it sees a repository
+test -s {0}/mine/copy.exr && say it sees a copy of a reference
+test -n "$(find {0} -name case.json -size +0)" && say it sees cases
+test -s {0}/other-references/x.exr && say it sees references of another suite
+test -s {0}/mine/tables.exr || say it lacks its own data
 test -r {1}/key && say it reads what nobody named
 test -r /etc/shadow && say it reads passwords
 (echo x > {0}/mark) 2> /dev/null && say it writes elsewhere
@@ -73,6 +85,13 @@ void write_curious_renderer(const Sandbox& sandbox, const Surroundings& around) 
                                        space("ipc").string(), space("uts").string(), space("net").string(),
                                        space("mnt").string(), ORBS_BINARY_DIR));
   ::chmod((sandbox.folder() / "curious").c_str(), 0755);
+  // Its folder is a repository, with copies of references under other names.
+  sandbox.shell("mkdir .git mine other-references; echo ref: refs/heads/main > .git/HEAD");
+  auto image = orbs::image::make_image(8, 8, {"R", "G", "B"});
+  orbs::image::write_exr(image, sandbox.folder() / "mine/tables.exr");
+  image.attributes["orbs.spp"] = "64";
+  for (const char* file : {"mine/copy.exr", "other-references/x.exr"})
+    orbs::image::write_exr(image, sandbox.folder() / file);
   // The program that the script starts lies where nobody would look for it.
   sandbox.add_to_good(R"(, "readable": ["{build}"])");
 }
@@ -106,10 +125,13 @@ TEST(Isolation, ARendererSeesNothingButWhatItNeeds) {
     const auto open = orbs_as(sandbox, user, kRun + "open");
     EXPECT_EQ(open.status, 0) << open.text;
     for (const char* part :
-         {"it reads references", "it reads what nobody named", "it writes elsewhere",
+         {"it reads references", "it reads what nobody named", "it writes elsewhere", "it sees a repository",
+          "it sees a copy of a reference", "it sees cases", "it sees references of another suite",
           "it sees files in memory", "it sees other processes", "it shares the namespace pid",
           "it shares the namespace ipc", "it shares the namespace uts"})
       EXPECT_TRUE(contains(said(sandbox), part)) << part << ", without a sandbox: " << said(sandbox);
+
+    EXPECT_TRUE(around.key < 0 || contains(said(sandbox), "it sees keys")) << said(sandbox);
 
     fs::remove(sandbox.folder() / "said");
     fs::remove(sandbox.folder() / "mark");
@@ -160,6 +182,39 @@ TEST(Isolation, FoldersInMemoryAreLimited) {
   if (refuses_namespaces(answer)) GTEST_SKIP() << answer.text;
   EXPECT_EQ(answer.status, 1) << answer.text;
   EXPECT_TRUE(contains(sandbox.read("out/good/grey/log.txt"), "No space left on device")) << answer.text;
+}
+
+// All of them together, too: each holds as much as the limit allows, and what is closed is open in no
+// process.
+TEST(Isolation, FoldersInMemoryCountTogether) {
+  const Sandbox sandbox;
+  sandbox.add_to_good(R"(, "readable": ["{build}"], "limits": {"memory_megabytes": 100})");
+  orbs::cli_tests::replace_in(sandbox, "configuration.json", R"("limits": {}, )", "");
+  sandbox.write(
+      "hoarder",
+      "#!/bin/sh\nhead -c 70M /dev/zero > /dev/shm/x\nhead -c 70M /dev/zero > /tmp/x\ntail -f /dev/null\n");
+  ::chmod((sandbox.folder() / "hoarder").c_str(), 0755);
+  const auto answer =
+      sandbox.orbs({"run", "-r", "good", "-s", "grey", "-e", "./hoarder", "--sandbox", "-o", "out"});
+  if (refuses_namespaces(answer)) GTEST_SKIP() << answer.text;
+  EXPECT_TRUE(contains(answer.text, "was ended because it took more than its 100 MB of memory"))
+      << answer.text;
+}
+
+// With a namespace of its own, a renderer mounts folders in memory, and no limit counts what they hold.
+TEST(Isolation, NoNamespacesCanBeMadeInIt) {
+  const Sandbox sandbox;
+  const auto outside = sandbox.shell("unshare -Ur true");
+  if (outside.status != 0) GTEST_SKIP() << "none can be made here at all: " << outside.text;
+  sandbox.add_to_good(R"(, "readable": ["{build}"])");
+  sandbox.write("nested", fmt::format("#!/bin/sh\nunshare -Ur true && exit 7\n"
+                                      "exec {}/orbs-fake-renderer \"$@\"\n",
+                                      ORBS_BINARY_DIR));
+  ::chmod((sandbox.folder() / "nested").c_str(), 0755);
+  const auto answer =
+      sandbox.orbs({"run", "-r", "good", "-s", "grey", "-e", "./nested", "--sandbox", "-o", "out"});
+  if (refuses_namespaces(answer)) GTEST_SKIP() << answer.text;
+  EXPECT_EQ(answer.status, 0) << answer.text << sandbox.read("out/good/grey/log.txt");
 }
 
 TEST(Isolation, LimitsEndWhatRunsInIt) {

@@ -153,24 +153,57 @@ void show_all(Places& places, const std::vector<fs::path>& paths) {
     if (!is_in_one_of(place, places.shown)) show(places, "--ro-bind", path, place);
 }
 
-// Of folders that are not seen anyway.
-void hide_all(Places& places, const std::vector<fs::path>& folders) {
-  for (const auto& folder : folders) {
+// Nothing of what is not seen anyway.
+void hide_all(Places& places, const std::vector<fs::path>& paths) {
+  for (const auto& path : paths) {
     std::error_code failed;
-    const auto real = fs::canonical(folder, failed);
+    const auto real = fs::canonical(path, failed);
     if (failed || !places.sees(real)) continue;
-    add(places.out, {"--tmpfs", real.string()});
+    if (fs::is_directory(real, failed))
+      add(places.out, {"--tmpfs", real.string()});
+    else
+      add(places.out, {"--ro-bind", "/dev/null", real.string()});
     places.hidden.push_back(real);
   }
 }
 
+// In a user namespace of its own a program could mount folders in memory that no limit counts, and reach more
+// of the kernel. Of bubblewrap before 0.8.0, and of one with root's rights, there is no way to forbid them.
+bool can_forbid_namespaces() {
+  static const bool can = [] {
+    constexpr double kEnough_seconds = 10;
+    ProcessRequest request;
+    request.argv = {bubblewrap().string(),
+                    "--unshare-user",
+                    "--disable-userns",
+                    "--ro-bind",
+                    "/",
+                    "/",
+                    "--proc",
+                    "/proc",
+                    "/bin/true"};
+    request.environment = child_environment({});
+    request.limits.wall_seconds = kEnough_seconds;
+    const auto result = run_process(request);
+    return result.start_error.empty() && result.exit_code == 0 && result.signal == 0;
+  }();
+  return can;
+}
+
 }  // namespace
+
+bool is_of_system(const fs::path& path) {
+  return is_in_one_of(path, system_folders()) && !is_in_one_of(path, {"/usr/local", "/usr/src"});
+}
 
 // The order counts: what comes later is mounted over what came before.
 std::vector<std::string> isolated(const std::vector<std::string>& argv, const Isolation& isolation) {
-  Words out{bubblewrap().string(), "--die-with-parent", "--unshare-user-try",
-            "--unshare-pid",       "--unshare-ipc",     "--unshare-uts",
-            "--unshare-net",       "--cap-drop",        "ALL"};
+  Words out{bubblewrap().string(), "--die-with-parent", "--unshare-pid", "--unshare-ipc",
+            "--unshare-uts",       "--unshare-net",     "--cap-drop",    "ALL"};
+  if (can_forbid_namespaces())
+    add(out, {"--unshare-user", "--disable-userns"});
+  else
+    add(out, {"--unshare-user-try"});
   add_system(out);
   add_devices(out, isolation);
   add_memory(out, "/tmp", isolation);
@@ -183,7 +216,9 @@ std::vector<std::string> isolated(const std::vector<std::string>& argv, const Is
   const auto folder = fs::weakly_canonical(named);
   show(places, "--bind", folder, folder);
   if (!is_in_one_of(named, places.shown)) show(places, "--bind", folder, named);
-  for (const auto& hidden : places.hidden) add(out, {"--remount-ro", hidden.string()});
+  for (const auto& hidden : places.hidden)
+    if (std::error_code ignored; fs::is_directory(hidden, ignored))
+      add(out, {"--remount-ro", hidden.string()});
   add(out, {"--remount-ro", "/", "--chdir", named.string(), "--setenv", "TMPDIR", "/tmp", "--"});
   out.insert(out.end(), argv.begin(), argv.end());
   return out;

@@ -15,11 +15,15 @@ namespace orbs::adapters {
 struct Isolation {
   std::filesystem::path folder;                 // writable; where it starts
   std::vector<std::filesystem::path> readable;  // folders and files
-  std::vector<std::filesystem::path> hidden;    // folders that are empty where they lie in what is readable
+  std::vector<std::filesystem::path> hidden;    // folders and files that are empty in what is readable
   std::vector<std::filesystem::path> inputs;    // files that it reads, also in hidden folders
   std::optional<std::size_t> memory_bytes;      // most that /tmp, /dev/shm and home may hold, each; nothing:
                                                 // half of the machine's memory
 };
+
+/// Whether it is a folder of the system, which every command sees whole, or lies in one: but for /usr/local
+/// and /usr/src, where anything may lie.
+bool is_of_system(const std::filesystem::path& path);
 
 /// The command line that runs `argv` so; argv[0] is absolute. Paths that are not there are left out.
 /// InputError when there is no bwrap.

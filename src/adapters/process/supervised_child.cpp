@@ -109,6 +109,7 @@ std::vector<std::string> supervisor_command(const ProcessRequest& request) {
   if (limits.cpu_seconds) add("--cpu-seconds", fmt::format("{}", *limits.cpu_seconds));
   if (limits.memory_bytes) add("--memory-bytes", fmt::format("{}", *limits.memory_bytes));
   if (limits.output_bytes) add("--output-bytes", fmt::format("{}", *limits.output_bytes));
+  if (request.has_own_keyring) add("--own-keyring", "1");
   add("--grace-seconds", fmt::format("{}", limits.grace_seconds));
   words.emplace_back("--");
   words.insert(words.end(), request.argv.begin(), request.argv.end());

@@ -20,6 +20,7 @@ struct ProcessRequest {
   std::vector<std::string> environment;  // NAME=value, nothing else is passed on
   std::filesystem::path log;  // stdout and stderr, written as they arrive; "" keeps them in memory only
   ProcessLimits limits;
+  bool has_own_keyring = false;  // sees no keys that the kernel keeps for our session
   // For the supervisor to report once the limits or an interrupt have ended the process. It may need as long
   // as it waits for what cannot be killed; then we kill it and all that it started.
   double answer_seconds = supervisor::kGiveUp_seconds + 5;
