@@ -95,17 +95,15 @@ std::vector<ValuePlace> places_under(const std::vector<ValuePlace>& all, const s
   return found;
 }
 
-// Of the values, those that lie over the lowest file; all of them where renderers are named.
-void print_files(const registry::Configuration& configuration,
-                 const std::vector<ValuePlace>& places,
-                 bool shows_all) {
+// With those of the values that lie over the lowest file.
+void print_files(const registry::Configuration& configuration, const std::vector<ValuePlace>& places) {
   print_clean("configuration  {}\n", configuration.file.string());
   const std::vector<std::filesystem::path> below(configuration.below.rbegin(), configuration.below.rend());
   for (const auto& file : below) print_clean("  over         {}\n", file.string());
   if (below.empty()) return;
   // What a renderer has stands with it.
   for (const auto& [value, place] : places)
-    if (!value.starts_with("renderers/") && (shows_all || file_of(place) != below.back().string()))
+    if (!value.starts_with("renderers/") && file_of(place) != below.back().string())
       print_clean("  {}  {}\n", value, place);
 }
 
@@ -196,11 +194,14 @@ void add_doctor_command(const command_line::Command& command, const Program& pro
         print_json(read, values, all);
         return 0;
       }
-      print_files(read, values, !chosen->empty());
-      if (chosen->empty())
+      if (chosen->empty()) {
+        print_files(read, values);
         print_overview(all);
-      else
-        for (const auto& found : all) print_details(found, values);
+        return 0;
+      }
+      // What was asked for comes first.
+      for (const auto& found : all) print_details(found, values);
+      print_files(read, values);
       return 0;
     };
   });

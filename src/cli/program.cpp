@@ -144,6 +144,7 @@ AddCommand add_probe_command, add_qualify_command, add_bench_command, add_effect
 AddCommand add_sensitivity_command, add_cost_command, add_stability_command, add_compare_runs_command;
 AddCommand add_history_command, add_merge_command, add_submit_command, add_export_command;
 AddCommand add_judge_command, add_manual_command, add_import_command, add_explain_command;
+AddCommand add_render_command, add_open_command, add_card_command;
 
 namespace {
 
@@ -158,6 +159,12 @@ constexpr std::array kCommands{
     Command{"submit", kResults, "Render a suite on a cluster", add_submit_command},
     Command{"export", kResults, "Write the scenes of a suite, to be rendered elsewhere", add_export_command},
     Command{"judge", kResults, "Judge images that were rendered from an export", add_judge_command},
+    Command{"render", kResults, "Render one image with one renderer, and judge nothing", add_render_command},
+    Command{"open", kResults, "Show a reference and what renderers made of it in an image viewer",
+            add_open_command},
+    Command{"card", kResults,
+            "Say of one renderer whether it is right, what that costs, and whether it stays so",
+            add_card_command},
     Command{"serve", kResults, "Show runs as a page in the browser, even while they go on",
             add_serve_command},
     Command{"report", kResults, "Write the page of a run as one HTML file", add_report_command},

@@ -18,13 +18,33 @@ std::string target_text(const Change& change) {
   return change.target.empty() ? "all together" : change.target;
 }
 
-std::vector<TableRow> rows_of(const RunComparison& comparison) {
+std::vector<TableRow> rows_of(const std::vector<Change>& changes) {
   std::vector<TableRow> rows{{"", "renderer", "", "target", "", "before", "after", "by chance", ""}};
-  for (const auto& change : comparison.changes)
+  for (const auto& change : changes)
     rows.push_back({direction_name(change.direction), change.renderer, change.requirement,
                     target_text(change), quantity_name(change.quantity), change.before, change.after,
                     chance_text(change), change.reason});
   return rows;
+}
+
+// Of a target what is worst, which comes first; what else changed the same way is named behind it: eleven
+// rows of two targets say no more.
+std::vector<Change> one_of_each_target(const std::vector<Change>& changes) {
+  std::vector<Change> first;
+  for (const auto& change : changes) {
+    const auto same = std::find_if(first.begin(), first.end(), [&](const Change& other) {
+      return other.direction == change.direction && other.renderer == change.renderer &&
+             other.target == change.target && !change.target.empty();
+    });
+    if (same == first.end()) {
+      first.push_back(change);
+    } else if (same->quantity != change.quantity) {  // several requirements may judge one target
+      const auto also =
+          fmt::format("{} {} to {}", quantity_name(change.quantity), change.before, change.after);
+      same->reason += same->reason.empty() ? "also " + also : "; also " + also;
+    }
+  }
+  return first;
 }
 
 std::string headline(const RunComparison& comparison) {
@@ -58,9 +78,10 @@ std::string comparison_text(const RunComparison& comparison, const TerminalStyle
   const auto add = [&](const std::string& line) { text += wrapped_lines(line + '\n', style.width); };
   add(fmt::format("{} against {}: {}", comparison.after, comparison.before,
                   painted(headline(comparison), headline_colour(comparison), style)));
-  if (!comparison.changes.empty())
-    text += fmt::format("\n{}\n", text_table(rows_of(comparison), {},
-                                             {style.width, direction_colours(comparison.changes, style)}));
+  const auto changes = one_of_each_target(comparison.changes);
+  if (!changes.empty())
+    text += fmt::format("\n{}\n",
+                        text_table(rows_of(changes), {}, {style.width, direction_colours(changes, style)}));
   add(what_was_compared(comparison));
   for (const auto& note : comparison.notes) add(note);
   return text;
@@ -69,7 +90,8 @@ std::string comparison_text(const RunComparison& comparison, const TerminalStyle
 std::string comparison_markdown(const RunComparison& comparison) {
   auto text = fmt::format("**{}** (`{}` against `{}`)\n\n", headline(comparison), comparison.after,
                           comparison.before);
-  if (!comparison.changes.empty()) text += markdown_table(rows_of(comparison)) + "\n";
+  if (!comparison.changes.empty())
+    text += markdown_table(rows_of(one_of_each_target(comparison.changes))) + "\n";
   text += what_was_compared(comparison) + "\n";
   for (const auto& note : comparison.notes) text += fmt::format("- {}\n", note);
   return text;

@@ -59,7 +59,11 @@ std::string executable_text(const NewRenderer& added) {
 std::string entry_text(const Configuration& configuration, const NewRenderer& added) {
   json::Writer out;
   out.begin_object().member("name", added.name).member("executable", executable_text(added));
-  out.member("version_command", std::vector<std::string>{"{executable}", "--version"});
+  if (!added.version.empty()) {
+    std::vector<std::string> words{"{executable}"};
+    words.insert(words.end(), added.version.begin(), added.version.end());
+    out.member("version_command", words);
+  }
   out.member("scene_format", added.scene_format);
   if (!added.native_scenes.empty()) out.member("native_scenes", added.native_scenes);
   out.member("declares", added.declares);
@@ -67,9 +71,12 @@ std::string entry_text(const Configuration& configuration, const NewRenderer& ad
   return std::string(trim(out.end_object().text()));
 }
 
-}  // namespace
+struct Added {
+  std::string text;  // of the whole file
+  Renderer entry;
+};
 
-Renderer add_renderer(const Configuration& configuration, const NewRenderer& added) {
+Added with_entry(const Configuration& configuration, const NewRenderer& added) {
   for (const auto& renderer : configuration.renderers)
     if (renderer.name == added.name)
       throw InputError(fmt::format("{}: has a renderer '{}' already; edit its entry, or choose another name",
@@ -82,11 +89,22 @@ Renderer add_renderer(const Configuration& configuration, const NewRenderer& add
       with_note(fmt::format("adding renderer '{}'; {} is as it was", added.name, own.string()), [&] {
         return load_configuration(with_own(configuration.files, own), EditedFile{own, text});
       });
-  write_own(own, text);
   for (const auto& renderer : read.renderers)
-    if (renderer.name == added.name) return renderer;
+    if (renderer.name == added.name) return {text, renderer};
   throw InputError(fmt::format("{}: is over the file that the entry was written to, {}, and takes it away",
                                read.file.string(), own.string()));
+}
+
+}  // namespace
+
+Renderer entry_of(const Configuration& configuration, const NewRenderer& added) {
+  return with_entry(configuration, added).entry;
+}
+
+Renderer add_renderer(const Configuration& configuration, const NewRenderer& added) {
+  const auto made = with_entry(configuration, added);
+  write_own(configuration.own_file, made.text);
+  return made.entry;
 }
 
 }  // namespace orbs::registry

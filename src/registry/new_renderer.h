@@ -15,6 +15,7 @@ struct NewRenderer {
   std::string scene_format = "orbs-scene";
   std::string native_scenes{};
   std::string declares = "G1/M1/L1/A1";
+  std::vector<std::string> version{"--version"};  // arguments that make it print its version; none: it cannot
   std::vector<std::string>
       command{};  // none: that of the first renderer with the same format, or a usual one
 };
@@ -24,5 +25,8 @@ struct NewRenderer {
 /// InputError when the name is taken, or when the entry would be none that can be read: the file is untouched
 /// then.
 Renderer add_renderer(const Configuration& configuration, const NewRenderer& added);
+
+/// The entry that add_renderer would add, with the same errors; nothing is written.
+Renderer entry_of(const Configuration& configuration, const NewRenderer& added);
 
 }  // namespace orbs::registry

@@ -3,8 +3,10 @@
 #include "results/least_change.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -55,6 +57,13 @@ bool is_on_other_side(double accepted, const Measure& measure, const Check& chec
   return accepted > right ? high < right : accepted < right && low > right;
 }
 
+// 'R' of "mean_ratio_r", 0 of another check.
+char channel_of_mean(const Check& check) {
+  constexpr std::string_view kMean = "mean_ratio_";
+  if (check.what.size() != kMean.size() + 1 || !check.what.starts_with(kMean)) return 0;
+  return static_cast<char>(std::toupper(static_cast<unsigned char>(check.what.back())));
+}
+
 }  // namespace
 
 const Measure* measure_of(const TargetRecord& target, const std::string& name) {
@@ -80,7 +89,18 @@ AcceptedChange compare_with_accepted(double accepted,
 }
 
 std::string number_text(double number, const Check& check) {
+  if (channel_of_mean(check) != 0)
+    return fmt::format("{:.3g} % {}", 100 * std::fabs(number), number < 0 ? "darker" : "brighter");
+  if (check.what == "psnr_srgb8") return fmt::format("{:.4g} dB", number);
   return is_two_sided(check) ? fmt::format("{:+.5g}", number) : fmt::format("{:.5g}", number);
+}
+
+std::string number_said(double number, const Check& check) {
+  const char channel = channel_of_mean(check);
+  const auto name = channel != 0                 ? std::string(1, channel)
+                    : check.what == "psnr_srgb8" ? std::string("the PSNR")
+                                                 : check.what;
+  return fmt::format("{} is {}", name, number_text(number, check));
 }
 
 }  // namespace orbs::run

@@ -30,7 +30,10 @@ AcceptedChange compare_with_accepted(double accepted,
 /// The number of the check in the target, nullptr if there is none.
 const results::Measure* measure_of(const results::TargetRecord& target, const std::string& name);
 
-/// "+0.02": with the sign where the check has two limits.
+/// "R is 2.98 % darker", "the PSNR is 31.2 dB", "window_error_16px is +0.02": with the sign where the check
+/// has two limits and no words of its own.
+std::string number_said(double number, const results::Check& check);
+/// The same without what it is of: "2.98 % darker".
 std::string number_text(double number, const results::Check& check);
 
 }  // namespace orbs::run

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "registry/cases.h"
 #include "registry/filters.h"
+#include "registry/seen_version.h"
 #include "results/least_change.h"
 #include "results/record.h"
 #include "run/accepted_number.h"
@@ -70,16 +71,17 @@ std::string news_of_number(double accepted,
                            const ExpectedFailure& entry) {
   const auto* measure = measure_of(target, check.what);
   if (measure == nullptr) return "";
-  const auto is = fmt::format("{} is {}", check.what, number_text(measure->value, check));
+  const auto is = number_said(measure->value, check);
   const auto had = number_text(accepted, check);
   switch (compare_with_accepted(accepted, check, target, tolerance_of(entry))) {
     case AcceptedChange::Within:
     case AcceptedChange::Better:
       return "";
     case AcceptedChange::Worse:
-      return fmt::format("{}, worse than the {} that {} has", is, had, entry.place);
+      return fmt::format("{}, which is worse than {}, the failure that {} accepts", is, had, entry.place);
     case AcceptedChange::OtherSide:
-      return fmt::format("{}, wrong to the other side than the {} that {} has", is, had, entry.place);
+      return fmt::format("{}, wrong to the other side than {}, the failure that {} accepts", is, had,
+                         entry.place);
   }
   return "";
 }
@@ -117,7 +119,7 @@ std::string better_checks(const TargetRecord& target, const ExpectedFailure& ent
     if (recorded->second && measure != nullptr) {
       if (compare_with_accepted(*recorded->second, check, target, tolerance_of(entry)) ==
           AcceptedChange::Better)
-        better.push_back(fmt::format("{} is {}, was {}", check.what, number_text(measure->value, check),
+        better.push_back(fmt::format("{}, was {}", number_said(measure->value, check),
                                      number_text(*recorded->second, check)));
     } else if (check.passed) {
       better.push_back(fmt::format("{} is met", check.what));
@@ -165,7 +167,18 @@ std::string known_text(const TargetRecord& target, const ExpectedFailure& entry)
   return fmt::format("{}; better than {} accepts ({}): accept it anew", entry.reason, entry.place, better);
 }
 
-void mark_target(const registry::FoundExpected& found, bool is_strict, TargetRecord& target) {
+// Where the renderer tells its version, another one may still fail, and the entry is to stay for that.
+std::string what_becomes_of(const ExpectedFailure& entry, const std::string& version) {
+  if (registry::is_absent(registry::range_of_version(version))) return "remove the entry";
+  return fmt::format(
+      "{} of those that fail if {} is not one of them, else remove the entry",
+      registry::is_absent(entry.version) ? "add \"version\"" : "narrow its \"version\" to that", version);
+}
+
+void mark_target(const registry::FoundExpected& found,
+                 const std::string& version,
+                 bool is_strict,
+                 TargetRecord& target) {
   target.expectation = Expectation::None;
   target.expected.clear();
   if (!target.declared) return;
@@ -183,8 +196,8 @@ void mark_target(const registry::FoundExpected& found, bool is_strict, TargetRec
       target.verdict == Verdict::Inconclusive && entry->verdict == results::verdict_name(Verdict::Fail);
   const bool is_known = results::verdict_name(target.verdict) == entry->verdict || is_left_open;
   if (passes(target.verdict) && !is_known) {
-    set_news(target, fmt::format("it passes, but {} expects '{}' ({}): remove the entry", entry->place,
-                                 entry->verdict, entry->reason));
+    set_news(target, fmt::format("it passes, but {} expects '{}' ({}): {}", entry->place, entry->verdict,
+                                 entry->reason, what_becomes_of(*entry, version)));
   } else if (!can_be_expected(target.verdict)) {
     return;
   } else if (!is_known) {
@@ -227,11 +240,11 @@ void mark_expected(const std::vector<ExpectedFailure>& expected,
   for (auto& target : targets) {
     const bool fails_elsewhere =
         passes(target.verdict) && worst[{target.renderer, target.target}] > target.verdict;
+    const auto version = version_of(versions, target.renderer);
     mark_target(fails_elsewhere
                     ? registry::FoundExpected{}
-                    : registry::find_expected(expected, target.renderer,
-                                              version_of(versions, target.renderer), target.target, run),
-                run.strict, target);
+                    : registry::find_expected(expected, target.renderer, version, target.target, run),
+                version, run.strict, target);
   }
 }
 
@@ -279,6 +292,7 @@ std::vector<ExpectedFailure> accepted_failures(const results::RunRecord& run,
     if (!target.declared || !can_be_expected(target.verdict)) continue;
     if (target.verdict == Verdict::PassWithRemarks && !run.strict) continue;
     auto entry = accepted_failure(target, run);
+    entry.version = registry::range_of_version(version_of(versions_of(run), target.renderer));
     entry.reason = reason;
     if (target.expectation == Expectation::Known) {
       const auto kept = reason_if_better(target, present, run);

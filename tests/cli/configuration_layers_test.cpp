@@ -57,14 +57,17 @@ TEST(ConfigurationLayers, EachFileChangesWhatLiesBelowIt) {
   for (const auto& part : {fmt::format("configuration  {}/configuration.json", folder),
                            fmt::format("defaults/jobs  {}/user/orbs/configuration.json:2", folder),
                            fmt::format("defaults/threads  {}/system/configuration.json:2", folder),
-                           std::string("defaults/suite  " ORBS_SOURCE_DIR "/configuration.json:"),
                            fmt::format("spp_scale in {}/configuration.json:3", folder),
                            fmt::format("not installed: '{}/mine.sh' was not found", folder)})
     EXPECT_TRUE(contains(answer.text, part)) << part << "\n" << answer.text;
-  // A line for each renderer, and of the values those that somebody has changed.
+  EXPECT_LT(answer.text.find("mine\n  program"), answer.text.find("configuration  "))
+      << "what was asked comes first";
+  // Of the values those that somebody has changed.
   const auto overview = stand.orbs("doctor").text;
-  EXPECT_TRUE(contains(overview, "defaults/jobs  ")) << overview;
-  EXPECT_FALSE(contains(overview, "defaults/suite  ")) << overview;
+  for (const auto& text : {answer.text, overview}) {
+    EXPECT_TRUE(contains(text, "defaults/jobs  ")) << text;
+    EXPECT_FALSE(contains(text, "defaults/suite  ")) << text;
+  }
 }
 
 TEST(ConfigurationLayers, ARendererIsAddedToTheUsersFile) {

@@ -33,3 +33,39 @@ before=$(cksum <"$folder/root/usr/lib/orbs/configuration.json")
 [ "$before" = "$(cksum <"$folder/root/usr/lib/orbs/configuration.json")" ] || fail "the installed file has changed"
 "$folder/root/usr/bin/orbs" run -r mine -s 101 --size 1/8 --dry-run >plan.txt || fail "the added renderer cannot be planned"
 ! grep -q "$build" out/results.json || fail "the run has used the build folder"
+
+# The renderer of a user who is not root, in a project of its own: another folder, with a space in its name, under a
+# strict umask, and nothing of the checkout in sight.
+project="$folder/a project"
+mkdir "$project" "$project/home"
+cp "$build/minimal-renderer/minimal-renderer" "$project/"
+chmod a+rx "$folder" "$project"
+if [ "$(id -u)" -eq 0 ]; then
+  chown -R nobody "$project"
+  plain() { setpriv --reuid=nobody --regid=nogroup --clear-groups "$@"; }
+else
+  plain() { "$@"; }
+fi
+cat >"$project/steps.sh" <<'STEPS'
+set -eu
+umask 077
+fail() { echo "install_test: as a plain user: $*" >&2; exit 1; }
+orbs=$1
+cd "$2"
+HOME=$PWD/home XDG_CONFIG_HOME=$PWD/home/.config; export HOME XDG_CONFIG_HOME
+"$orbs" renderer add mine --here --executable ./minimal-renderer --declares G3/M4/L2/A1 \
+  -- '{executable}' '{scene}' '{output}' --spp '{spp}' --seed '{seed}' --threads '{threads}' >added.txt 2>&1 ||
+  fail "no renderer can be added: $(cat added.txt)"
+grep -q '"mine"' configuration.json || fail "the entry is not in the project's file"
+[ ! -e home/.config/orbs ] || fail "--here has written into the user's own file"
+"$orbs" doctor -r mine >doctor.txt || fail "doctor: $(cat doctor.txt)"
+head -1 doctor.txt | grep -q '^mine' || fail "doctor does not begin with what it was asked for: $(cat doctor.txt)"
+"$orbs" run -r mine -s 101-depth1 --size 1/8 >run.txt 2>&1 || fail "the run: $(cat run.txt)"
+"$orbs" card mine >card.txt || fail "card: $(cat card.txt)"
+grep -q 'right on its target' card.txt || fail "the card does not say that it is right: $(cat card.txt)"
+"$orbs" open 101-depth1 --print >images.txt || fail "open: $(cat images.txt)"
+[ "$(wc -l <images.txt)" -eq 2 ] || fail "open names no two images: $(cat images.txt)"
+"$orbs" render -r mine -s 101-depth1 --size 1/8 --spp 4 -o x.exr || fail "render makes no image"
+"$orbs" compare x.exr "$(tail -1 images.txt)" >compare.txt 2>&1 || [ $? -eq 1 ] || fail "compare: $(cat compare.txt)"
+STEPS
+plain sh "$project/steps.sh" "$folder/root/usr/bin/orbs" "$project" || fail "the installed program fails for a plain user"

@@ -119,6 +119,7 @@ RecordedTimes recorded_times(const run::Plan& plan,
 
 std::string amount_text(const run::Plan& plan, const RecordedTimes& times) {
   const auto count = plan.jobs.size();
+  if (count == 0) return "nothing to render: no target is declared that can be rendered";
   auto text = fmt::format("{} render{}", count, count == 1 ? "" : "s");
   const auto left = count - times.finished.size();
   if (left == 0) return text + ", all finished: nothing is left to render";

@@ -5,9 +5,35 @@
 #include "run/looks.h"
 #include "run/prepare.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace orbs::run {
+
+namespace {
+
+// "undeclared: cycles: B1, B4; 'orbs doctor -r cycles' says why".
+std::string undeclared_text(const Plan& plan) {
+  std::string text;
+  for (std::size_t renderer = 0; renderer < plan.renderers.size(); ++renderer) {
+    std::vector<std::string> requirements;
+    for (const auto& target : plan.targets) {
+      const auto& requirement = plan.cases[target.one_case].requirement;
+      if (target.renderer == renderer && !target.declared &&
+          std::find(requirements.begin(), requirements.end(), requirement) == requirements.end())
+        requirements.push_back(requirement);
+    }
+    const auto& name = plan.renderers[renderer].entry.name;
+    if (!requirements.empty())
+      text += fmt::format("undeclared: {}: {}; 'orbs doctor -r {}' says what is known of it\n", name,
+                          fmt::join(requirements, ", "), name);
+  }
+  return text;
+}
+
+}  // namespace
 
 std::string plan_text(const Plan& plan) {
   std::string text = fmt::format(
@@ -35,6 +61,7 @@ std::string plan_text(const Plan& plan) {
     if (!target.unsupported.empty())
       text += fmt::format("unsupported: {} {}: {}\n", plan.renderers[target.renderer].entry.name,
                           target.target, target.unsupported);
+  text += undeclared_text(plan);
   for (const auto& left : plan.left_out)
     text += fmt::format("left out: {}: {}\n", left.renderer, left.reason);
   return text;

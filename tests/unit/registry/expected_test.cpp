@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "registry/configuration.h"
+#include "registry/seen_version.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -162,11 +163,35 @@ TEST(ExpectedFailures, AreAddedWithEveryOtherByteAsItWas) {
   EXPECT_EQ(read(twice)[2].reason, "third");
 }
 
+TEST(VersionRange, OfAVersionHoldsItAlone) {
+  EXPECT_EQ(registry::range_of_version("Blender 3.4.1 (hash 0)").text, "=3.4.1");
+  EXPECT_EQ(registry::range_of_version("POV-Ray 3.7.0.10.unofficial").text, "=3.7.0.10");
+  EXPECT_EQ(registry::range_of_version("pbrt version 4 (built Nov 26)").text, "=4");
+  EXPECT_EQ(registry::range_of_version("v1.2").text, "=1.2");
+  for (const char* text : {"", "unknown", "commit 3f2a9", "commit a3f2"})
+    EXPECT_TRUE(registry::is_absent(registry::range_of_version(text))) << text;
+}
+
+// With Blender 4.3 the numbers of 3.4 were overwritten, by an entry that did not hold for 4.3.
+TEST(ExpectedFailures, AnEntryOfAnotherVersionIsAddedAndNotReplaced) {
+  const auto before = configuration_text(R"(, "expected": [
+    {"renderer": "cycles", "version": "<4.0", "scene": "101", "verdict": "fail", "reason": "of 3.4"} ])");
+  auto added = entry("101", "of 4.3");
+  added.version = registry::range_of_version("Blender 4.3.2");
+  const auto expected = read(registry::with_expected(before, read(before), {added}, kRun.day));
+  ASSERT_EQ(expected.size(), 2U);
+  EXPECT_EQ(expected[0].reason, "of 3.4");
+  EXPECT_EQ(expected[0].version.text, "<4.0");
+  EXPECT_EQ(expected[1].version.text, "=4.3.2");
+}
+
 TEST(ExpectedFailures, AnEntryOfTheSameSceneIsReplacedAndKeepsItsVersion) {
   const auto before = configuration_text(R"(, "expected": [
     {"renderer": "cycles", "version": "<4.0", "scene": "101", "verdict": "crash", "reason": "old"},
     {"renderer": "cycles",   "scene": "1*", "verdict": "fail", "reason": "pattern"} ])");
-  const auto after = registry::with_expected(before, read(before), {entry("101", "new")}, kRun.day);
+  auto anew = entry("101", "new");
+  anew.version = registry::range_of_version("Blender 3.4.1");
+  const auto after = registry::with_expected(before, read(before), {anew}, kRun.day);
   const auto expected = read(after);
   ASSERT_EQ(expected.size(), 2U);
   EXPECT_EQ(expected[0].reason, "new");

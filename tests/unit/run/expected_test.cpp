@@ -115,8 +115,10 @@ TEST(ExpectedVerdicts, TheOtherSideOfTheRightNumberIsNews) {
   EXPECT_EQ(expectation_of(off_by(0.051, 0.002), fails_by_light(0.051)), Expectation::Known);
   const auto other = marked(off_by(-0.049, 0.002), fails_by_light(0.051));
   EXPECT_EQ(other.expectation, Expectation::News);
-  EXPECT_EQ(other.expected,
-            "mean_ratio_r is -0.049, wrong to the other side than the +0.051 that configuration.json:7 has");
+  EXPECT_EQ(
+      other.expected,
+      "R is 4.9 % darker, wrong to the other side than 5.1 % brighter, the failure that configuration.json:7 "
+      "accepts");
   // Where noise leaves it open on which side the number lies, nothing is new.
   auto open = off_by(-0.002, 0.03);
   open.verdict = Verdict::Inconclusive;
@@ -129,7 +131,9 @@ TEST(ExpectedVerdicts, TheOtherSideOfTheRightNumberIsNews) {
 TEST(ExpectedVerdicts, AnErrorThatIsWorseThanAcceptedByMoreThanNoiseIsNews) {
   const auto worse = marked(off_by(0.08, 0.002), fails_by_light(0.051));
   EXPECT_EQ(worse.expectation, Expectation::News);
-  EXPECT_EQ(worse.expected, "mean_ratio_r is +0.08, worse than the +0.051 that configuration.json:7 has");
+  EXPECT_EQ(
+      worse.expected,
+      "R is 8 % brighter, which is worse than 5.1 % brighter, the failure that configuration.json:7 accepts");
   EXPECT_EQ(expectation_of(off_by(0.056, 0.002), fails_by_light(0.051)), Expectation::News);
   // Within sqrt(2) half intervals, and within a twentieth of the error.
   EXPECT_EQ(expectation_of(off_by(0.08, 0.03), fails_by_light(0.051)), Expectation::Known);
@@ -155,7 +159,7 @@ TEST(ExpectedVerdicts, WhatIsBetterThanAcceptedIsKnownAndSaysSo) {
   EXPECT_EQ(mended.expectation, Expectation::Known);
   EXPECT_EQ(
       mended.expected,
-      "known; better than configuration.json:7 accepts (mean_ratio_r is +0.02, was +0.051): accept it anew");
+      "known; better than configuration.json:7 accepts (R is 2 % brighter, was 5.1 % brighter): accept it anew");
   EXPECT_EQ(marked(off_by(0.05, 0.002), fails_by_light(0.051)).expected, "known");
 }
 
@@ -192,6 +196,28 @@ TEST(ExpectedVerdicts, FailuresAreAcceptedForTheirSuiteAndSizeAndBetterOnesAnew)
   EXPECT_EQ(anew[0].reason, "known");
   run::mark_expected(accepted, run);
   EXPECT_TRUE(run::accepted_failures(run, accepted, "why").empty());
+}
+
+TEST(ExpectedVerdicts, AcceptedFailuresAreOfTheVersionThatFailed) {
+  results::RunRecord run;
+  run.suite = "suite";
+  run.size = "1/4";
+  run.started = "2026-11-25T10:00:00";
+  run.targets = {off_by(-0.02, 0.002)};
+  results::RendererRecord renderer;
+  renderer.name = run.targets[0].renderer;
+  renderer.version = "Blender 4.3.2";
+  run.renderers = {renderer};
+  const auto accepted = run::accepted_failures(run, {}, "why");
+  ASSERT_EQ(accepted.size(), 1U);
+  EXPECT_EQ(accepted[0].version.text, "=4.3.2");
+  run.targets[0].verdict = Verdict::Pass;
+  run::mark_expected({fails_by_light(-0.02)}, run);
+  EXPECT_NE(
+      run.targets[0].expected.find(
+          ": add \"version\" of those that fail if Blender 4.3.2 is not one of them, else remove the entry"),
+      std::string::npos)
+      << run.targets[0].expected;
 }
 
 // A strict run accepts no remarks but those that its configuration expects.
