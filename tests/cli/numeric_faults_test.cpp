@@ -69,7 +69,7 @@ void write_configuration(const Sandbox& sandbox) {
   const auto add = [&](const std::string& name, const std::string& more) {
     entries.push_back(fmt::format(
         R"entry({{"name": "{}", "executable": "{{build}}/orbs-faulty-tracer", "declares": "G5/M8/L4/A4/S7/I2/B9/C5/D6/N5",
-  "plugins": ["{{build}}/plugins/saddle.so"], "limits": {{"cpu_seconds": 20}},
+  "plugins": ["{{build}}/plugins/saddle.so"], "limits": {{"cpu_seconds": 1000}},
   "render_seconds": {{"pattern": "^orbs: render_seconds ([0-9.]+)"}},
   "command": ["{{executable}}", "--plugin={{plugin}}", "{{scene}}", "-o", "{{output}}", "--spp", "{{spp}}",
               "--seed", "{{seed}}", "--threads", "{{threads}}", "--bad-samples", "count"{}]}})entry",
