@@ -31,9 +31,16 @@ constexpr double kPathsWorthwhile = 0.78;
 constexpr double kConnectionsWorthwhile = 0.3;
 
 // If the camera sees only a corner of what the emitters illuminate, hardly any light path contributes, and
-// the trial shows no noise because it shows no light. It is believed from this many contributions per pixel
-// on.
+// the trial shows no noise because it shows no light. Its noise is believed from this many contributions per
+// pixel on; below that the technique is taken that finds more light.
 constexpr double kFewestContributions = 0.25;
+
+double light_of(const Trial& trial) {
+  double light = 0;
+  for (const auto& image : trial.images)
+    for (const float value : image.pixels) light += static_cast<double>(value);
+  return light;
+}
 
 // A trial that shows no light at all says nothing against light paths, which may be the only ones that find
 // any: that of a prism behind a slit.
@@ -55,7 +62,12 @@ RenderTime choose_light(World& world, const RenderSettings& settings, LightChoic
   bool connects = open.connections && supports_light_connections(world);
   const int questions = (bvh.empty() ? 0 : 2) + (casters.empty() ? 0 : 1) + (connects ? 1 : 0);
   const auto size = trial_size(world.camera, settings, kShareOfPaths, 2 * (1 + questions));
-  if (questions == 0 || !size) return {};
+  if (questions == 0) return {};
+  if (!size) {
+    // A caustic may be most of the light, and camera paths of a small image may all miss it.
+    if (!casters.empty()) std::swap(casters, world.caustic_casters);
+    return {};
+  }
   RenderTime time;
   const auto rendered = [&] {
     Trial trial = trial_of(world, *size, settings);
@@ -90,8 +102,9 @@ RenderTime choose_light(World& world, const RenderSettings& settings, LightChoic
   }
   if (!casters.empty())
     keep_if(casters, world.caustic_casters, [&](const Trial& with) {
-      return is_black(best) ||
-             (with.light_path_contributions >= kFewestContributions && is_lower(with, kPathsWorthwhile));
+      if (is_black(best)) return true;
+      return with.light_path_contributions < kFewestContributions ? light_of(with) > light_of(best)
+                                                                  : is_lower(with, kPathsWorthwhile);
     });
   if (connects) {
     add(time, learn_light_guides(world, settings));

@@ -263,6 +263,19 @@ TEST(TracerLightPaths, AreChosenWhereCameraPathsFindNoLightAtAll) {
   EXPECT_FALSE(world.caustic_casters.empty());
 }
 
+// Images of 16 x 16 px have no trial, or one that meets no caustic, which is most of their light.
+TEST(TracerLightPaths, AreChosenWhereATrialCannotTell) {
+  for (const char* name : {"caustic_diamond_achromatic", "caustic_diamond"})
+    for (const int spp : {8, 16, 64, 512}) {
+      auto scene = scene::load_scene(std::string(ORBS_SOURCE_DIR "/data/cases/appearance/e6_dispersion/") +
+                                     name + ".json");
+      scene.camera.width_px = scene.camera.height_px = 16;
+      auto world = tracer::make_world(scene, {.light_paths = true});
+      tracer::choose_light(world, {.samples_per_pixel = spp}, {.selection = false, .connections = false});
+      EXPECT_FALSE(world.caustic_casters.empty()) << name << ", " << spp;
+    }
+}
+
 TEST(TracerLightPaths, AreNotChosenForAGlimpseThatTheyHardlyHit) {
   auto text = caustic_scenes()[0].text;
   const std::string fov = R"("fov_y": 40)";
