@@ -6,12 +6,12 @@
 
 namespace orbs::judge {
 
-/// How many different values a reference without noise must have before an image that equals it proves
-/// anything: emitters of a few colours, seen directly, are right to the bit.
-constexpr std::size_t kFewestValues = 1000;
+/// How many samples of a reference without noise must vary within their pixel before an image that equals it
+/// proves anything: emitters of a few colours, seen directly, are right to the bit.
+constexpr std::size_t kFewestVarying = 100;
 
 /// Whether an image that has noise by its nature equals a reference that has none: to within four units in
-/// the last place of a float in every counted pixel, over at least kFewestValues different values. A mean of
+/// the last place of a float in every counted pixel, of which at least kFewestVarying samples vary. A mean of
 /// random samples has noise wherever the values vary. An image whose renderer draws none
 /// (ResultNoise::NoiseFree) may evaluate the same formula, so nothing is said of it.
 ///

@@ -60,6 +60,24 @@ TEST(Judge, ACopyOfAComputedReferenceFailsUnlessItsRendererHasNoNoise) {
       << "one colour proves nothing";
 }
 
+// A small ball before one colour: few values differ, and those that vary within their pixels prove it.
+TEST(Judge, ACopyOfAComputedReferenceWithFewValuesFails) {
+  auto computed = grey_32(0.25F);
+  for (int y = 10; y < 18; ++y)
+    for (int x = 10; x < 18; ++x)
+      for (std::size_t c = 0; c < 3; ++c) computed.at(x, y, c) = 0.3F + 0.01F * static_cast<float>(x * y);
+  EXPECT_EQ(judged(one_case(), computed, computed).verdict, Verdict::Fail);
+}
+
+// Half of it black: the border is an edge between pixels, and all colours are of lamps.
+TEST(Judge, AnImageOfEvenColoursMayEqualItsReference) {
+  auto computed = grey_32(0.25F);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 16; ++x)
+      for (std::size_t c = 0; c < 3; ++c) computed.at(x, y, c) = 0;
+  EXPECT_EQ(judged(one_case(), computed, computed).verdict, Verdict::Pass);
+}
+
 namespace {
 
 // Grey with an even S1.
