@@ -127,6 +127,7 @@ GateResult checked(const registry::Gate& gate,
   switch (measurement.metric->rule) {
     case GateRule::Value:
     case GateRule::Certain:
+    case GateRule::CertainShare:
       break;
     case GateRule::WholeInterval:
       if (!reaches) return {Verdict::Fail, is};

@@ -311,7 +311,7 @@ metrics::ImagePair pair_of(const Case& one_case,
   const auto mask = mask_of(one_case, record.target);
   const auto& looks = settings.looks;
   const metrics::PairSettings how{settings.threads, settings.result_noise, looks.most, looks.sample_ratio,
-                                  looks.halves};
+                                  looks.halves,     looks.apart,           looks.spp};
   auto pair = metrics::make_image_pair(result, reference, mask, how);
   if (pair.noise.stated != metrics::StatedNoise::OverstatedByResult) return pair;
   record.remarks.emplace_back(

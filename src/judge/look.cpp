@@ -52,8 +52,7 @@ Look look_at(const std::vector<GateResult>& results, const Looks& looks) {
 
 Look opened_where_early(Look look, const Looks& looks, const results::TargetRecord& record) {
   if (looks.most == 1 || looks.of_first_guess >= 1) return look;
-  const bool hides = results::passes(record.verdict) && !record.hidden.empty();
-  if (!hides && record.verdict != Verdict::ConstantImage) return look;
+  if (record.verdict != Verdict::ConstantImage) return look;
   look.is_open = true;
   look.need = {1 / looks.of_first_guess, 1};
   return look;

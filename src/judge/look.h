@@ -2,6 +2,7 @@
 
 #include "image/image.h"
 #include "judge/gate_result.h"
+#include "metrics/common_noise.h"
 #include "results/target_record.h"
 
 #include <array>
@@ -15,6 +16,8 @@ struct Looks {
   double sample_ratio = 0;    // samples of the reference over those of the image; 0: not known
   double of_first_guess = 1;  // samples of the image over those that its case asks for
   const std::array<image::Image, 2>* halves = nullptr;  // of its samples, see metrics::PairSettings
+  std::vector<metrics::RendersApart> apart = {};        // by look
+  int spp = 0;
 };
 
 /// What one look saw.
@@ -31,8 +34,8 @@ results::Verdict worst_of(const std::vector<GateResult>& results);
 /// the worst of them so. Closed where the samples are fixed.
 Look look_at(const std::vector<GateResult>& results, const Looks& looks);
 
-/// The same, open too where only samples can tell what the case asks for: whether an image is black for lack
-/// of them, and whether it has an error that noise hides. `record` holds the verdict.
+/// The same, open too where only samples can tell whether an image is black for lack of them. `record` holds
+/// the verdict.
 Look opened_where_early(Look look, const Looks& looks, const results::TargetRecord& record);
 
 }  // namespace orbs::judge

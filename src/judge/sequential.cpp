@@ -62,7 +62,9 @@ Need need_of(const Measurement& measurement, const Limits& limits) {
   const double value = *measurement.value;
   const auto& to_pass = *measurement.to_pass;
   const double to_pass_width = (to_pass.high - to_pass.low) / 2;
-  const double to_fail_width = (measurement.high.value_or(value) - measurement.low.value_or(value)) / 2;
+  const double to_fail_width = to_pass.reach_to_fail > 0
+                                   ? to_pass.reach_to_fail
+                                   : (measurement.high.value_or(value) - measurement.low.value_or(value)) / 2;
   // The interval of a pass is 3.8 standard errors wide to either side, or Student's, which is wider.
   const double nearer = kStandardErrorsAtBest * to_pass_width / 3.8;
   const double distance = distance_within(value, limits);
@@ -91,12 +93,17 @@ GateResult check_interval(const std::string& is, const Measurement& measurement,
   } else if (!metrics::is_within(to_pass.low, limits) || !metrics::is_within(to_pass.high, limits)) {
     result.verdict = Verdict::Inconclusive;
     result.need = need_of(measurement, limits);
+    if (to_pass.reach_to_fail > 0 && -distance_within(value, limits) > to_pass.reach_to_fail)
+      result.reason += "; too few looks to tell what noise its pixels have in common";
   }
   return result;
 }
 
 // Of what is certain of an error; `to_pass`, if there, ends at what it may be at most.
-GateResult check_certain(const std::string& is, const Measurement& measurement, const Limits& limits) {
+GateResult check_certain(const std::string& is,
+                         const Measurement& measurement,
+                         const Limits& limits,
+                         double certain_share) {
   const double value = *measurement.value;
   GateResult result{.reason = is, .value = value, .low = value};
   if (!metrics::is_within(value, limits)) {
@@ -106,11 +113,13 @@ GateResult check_certain(const std::string& is, const Measurement& measurement, 
   if (!measurement.to_pass || !limits.max) return result;
   const double most = measurement.to_pass->high;
   result.high = most;
-  if (most <= *limits.max) return result;
+  const double allowed = *limits.max / certain_share;
+  if (most <= allowed) return result;
   result.verdict = Verdict::Inconclusive;
   // Nearly all of it is noise, or what is certain would be more than nothing.
-  const double times = most * most / (*limits.max * *limits.max);
-  result.need = Need{.samples = times, .at_best = times, .is_edge = is_edge(value, most, limits)};
+  const double times = most * most / (allowed * allowed);
+  result.need =
+      Need{.samples = times, .at_best = times, .is_edge = is_edge(value, most, {limits.min, allowed})};
   result.reason = fmt::format("{}; noise hides up to {:.3g} %", is, 100 * most);
   return result;
 }
@@ -132,6 +141,7 @@ struct PsnrTest {
   double allowed = 0;
   double to_fail = 0;  // reach of the bias
   double to_pass = 0;
+  double widening = 1;  // of the former, see widening_of
 };
 
 // Noise above these multiples of the error that is allowed bends the curve too much for the product of
@@ -143,7 +153,7 @@ constexpr double kBend = 0.07;
 
 bool is_psnr_missed(const PsnrTest& test) {
   return test.bias.expected_noise <= kMostNoiseToFail * test.allowed &&
-         test.bias.squared - test.to_fail - kBend * test.bias.expected_noise > test.allowed;
+         test.bias.squared - test.widening * test.to_fail - kBend * test.bias.expected_noise > test.allowed;
 }
 
 bool is_psnr_met(const PsnrTest& test) {
@@ -188,6 +198,16 @@ double psnr_without_noise(double squared, double standard_errors) {
   return psnr_srgb8_of(std::max(0.0, squared + standard_errors));
 }
 
+// How much wider what pixels have in common makes the interval of the mean than their own noise does, and so
+// that of the product of the halves, whose blocks are then no independent numbers either.
+double widening_of(const metrics::ImagePair& pair) {
+  double widening = 1;
+  for (const auto& ratio : pair.noise.mean_ratio)
+    if (ratio && ratio->reach_of_pixels > 0)
+      widening = std::max(widening, (ratio->value - ratio->low) / ratio->reach_of_pixels);
+  return widening;
+}
+
 GateResult check_psnr(const std::string& is,
                       const Measurement& measurement,
                       double least_db,
@@ -197,10 +217,11 @@ GateResult check_psnr(const std::string& is,
     return student_interval(0, test.bias.standard_error, test.bias.degrees, 2 * one_side / pair.looks).high;
   };
   test.to_fail = reach(metrics::kWrongFails);
+  test.widening = widening_of(pair);
   test.to_pass = reach(metrics::kWrongPasses);
   const double low_db = psnr_without_noise(test.bias.squared, test.to_pass);
   GateResult result{.reason = is, .value = measurement.value, .low = low_db};
-  const double high_square = test.bias.squared - test.to_fail;
+  const double high_square = test.bias.squared - test.widening * test.to_fail;
   if (high_square > 0) result.high = psnr_srgb8_of(high_square);
   if (*measurement.value >= least_db) return result;
   if (is_psnr_missed(test)) {
@@ -234,7 +255,9 @@ GateResult check_gate_at_look(const registry::Gate& gate,
   const auto decide = [&] {
     switch (measurement.metric->rule) {
       case GateRule::Certain:
-        return check_certain(is, measurement, limits);
+        return check_certain(is, measurement, limits, 1);
+      case GateRule::CertainShare:
+        return check_certain(is, measurement, limits, metrics::kCertainShare);
       case GateRule::WholeInterval:
       case GateRule::AnyOfInterval:
         if (measurement.to_pass) return check_interval(is, measurement, limits);

@@ -2,6 +2,7 @@
 
 #include "base/nth.h"
 #include "base/statistics.h"
+#include "metrics/common_noise.h"
 #include "metrics/rare_light.h"
 
 #include <algorithm>
@@ -132,9 +133,24 @@ struct Finding {
   double relative_deviation = 0;  // standard deviation over the reference's mean
 };
 
-Finding test_channel(const BlockSums& sums) {
-  const PooledVariance& variance = sums.variance();
-  return {{score(sums.difference, sums.reference, variance.sum), variance.degrees()},
+// What pixels have in common (common_noise.h): by how much the sum over a block is noisier than they say, and
+// how far the mean of the image may be off.
+struct InCommon {
+  std::array<double, 3> inflation{};
+  std::array<double, 3> share{};
+};
+
+InCommon in_common_of(const PairSamples& samples, int side_px) {
+  InCommon in_common{side_px == kBlock_px ? samples.area_noise.over_8px : samples.area_noise.over_16px, {}};
+  for (std::size_t c = 0; c < 3; ++c) in_common.share.at(c) = common_share(samples, c);
+  return in_common;
+}
+
+Finding test_channel(const BlockSums& sums, double inflation, double share) {
+  PooledVariance variance = sums.variance();
+  variance.scale(inflation);
+  const double of_block = std::max(0.0, std::fabs(sums.difference) - share * std::fabs(sums.reference));
+  return {{score(of_block, sums.reference, variance.sum), variance.degrees()},
           std::sqrt(variance.sum) / std::fabs(sums.reference)};
 }
 
@@ -187,13 +203,15 @@ BlockScale score_scale(
   constexpr double kWorthATest =
       3;  // below, no t has a probability under 0.0027, and no finding is above the rate
   BlockScale result{kTestedBlocks_px.at(scale), 0, 0, {}};
+  const auto in_common = in_common_of(samples, result.side_px);
   const int fewest_pixels = result.side_px * result.side_px / 4;
   std::vector<Finding> findings;
   std::vector<double> probabilities;
   for (const Block& block : grid.blocks) {
     if (block.pixels < fewest_pixels) continue;
     for (std::size_t c = 0; c < 3; ++c) {
-      findings.push_back(test_channel(block.channels.at(c)));
+      findings.push_back(
+          test_channel(block.channels.at(c), in_common.inflation.at(c), in_common.share.at(c)));
       const Score& one = findings.back().score;
       if (one.z > kWorthATest) probabilities.push_back(probability_of(samples, block, c, one));
       note_largest(block, c, one.z, scale, scores);

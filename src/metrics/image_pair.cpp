@@ -2,6 +2,7 @@
 
 #include "base/parallel.h"
 #include "image/colour.h"
+#include "metrics/rare_light.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -40,6 +41,9 @@ ImagePair make_image_pair(const image::Image& result,
   pair.threads = settings.threads;
   pair.looks = settings.looks;
   count_samples(pair, settings.sample_ratio);
+  pair.common_noise = common_noise_of(settings.apart);
+  pair.unseen_share = unseen_share(pair, settings.spp);
+  if (settings.halves != nullptr) pair.area_noise = area_noise(pair, *settings.halves);
   if (settings.halves != nullptr)
     for (std::size_t half = 0; half < 2; ++half)
       pair.half_display.at(half) =

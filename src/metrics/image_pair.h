@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "metrics/common_noise.h"
 #include "metrics/mask.h"
 #include "metrics/noise_test.h"
 #include "metrics/pair_samples.h"
@@ -29,6 +30,8 @@ struct PairSettings {
   int looks = 1;                                        // see PairSamples
   double sample_ratio = 0;                              // see count_samples; 0: not known
   const std::array<image::Image, 2>* halves = nullptr;  // of the result's samples
+  std::vector<RendersApart> apart = {};                 // by look, see common_noise.h
+  int spp = 0;                                          // samples per pixel of the result; 0: not known
 };
 
 /// Both images must have passed check_alignment. InputError when the mask does not fit them.

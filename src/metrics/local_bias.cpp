@@ -1,6 +1,7 @@
 #include "metrics/local_bias.h"
 
 #include "base/statistics.h"
+#include "metrics/common_noise.h"
 #include "metrics/describe.h"
 #include "metrics/rare_light.h"
 #include "metrics/worst_tile.h"
@@ -76,6 +77,7 @@ void find_worst_tile(const PairSamples& samples,
   const Sums image = sums_of(samples, all, channel);
   const double image_mean = image.reference / image.count;
   if (!(image_mean > 0)) return;
+  const double share = common_share(samples, channel);
   for (int y = 0; y < all.y1; y += kSize)
     for (int x = 0; x < all.x1; x += kSize) {
       const Rectangle where{x, y, std::min(x + kSize, all.x1), std::min(y + kSize, all.y1)};
@@ -85,10 +87,12 @@ void find_worst_tile(const PairSamples& samples,
       const double scale = std::max(0.0, tile.reference / tile.count) + image_mean;
       const double off = std::fabs(tile.difference / tile.count);
       const double seen = seen_error(tile);
-      const double error = std::max(seen, std::sqrt(tile.expected) / tile.count);
+      const double error = std::max(seen, std::sqrt(tile.expected) / tile.count) *
+                           std::sqrt(samples.area_noise.over_16px.at(channel));
       const double unseen =
           tile.difference < 0 ? unseen_light(samples, where, channel, reaches.outside) / tile.count : 0;
-      const double value = std::max(0.0, off - std::max(reaches.certain * error, unseen)) / scale;
+      const double in_common = share * std::fabs(tile.reference / tile.count);
+      const double value = std::max(0.0, off - in_common - std::max(reaches.certain * error, unseen)) / scale;
       const double largest = std::max(worst ? worst->largest : 0, (off + reaches.to_pass * error) / scale);
       if (!worst || value > worst->value) worst = {value, where};
       worst->largest = largest;

@@ -18,10 +18,12 @@ inline std::string describe(const Measurement& measurement, const Limits& limits
   const char channel = static_cast<char>(std::toupper(measurement.metric->name.back()));
   if (!measurement.value) return fmt::format("the mean of {} has nothing to be compared with", channel);
   const double value = *measurement.value;
-  return fmt::format(
-      "{} is {}, {}", channel,
-      lightness_text({value, measurement.low.value_or(value), measurement.high.value_or(value)}),
-      limits_text(limits, 100, " %"));
+  Interval interval{value, measurement.low.value_or(value), measurement.high.value_or(value)};
+  // What the first looks leave open says nothing of the image.
+  if (measurement.to_pass && measurement.to_pass->reach_to_fail > 0)
+    interval = {value, value - measurement.to_pass->reach_to_fail,
+                value + measurement.to_pass->reach_to_fail};
+  return fmt::format("{} is {}, {}", channel, lightness_text(interval), limits_text(limits, 100, " %"));
 }
 
 /// No value where the noise test gives no ratio: the reference's channel is black, or not above its noise.
@@ -32,7 +34,9 @@ MetricResult compute(const ImagePair& pair) {
     result.value = ratio->value;
     result.low = ratio->low;
     result.high = ratio->high;
-    if (pair.looks > 1) result.to_pass = {ratio->to_pass.low, ratio->to_pass.high, ratio->reference_share};
+    if (pair.looks > 1)
+      result.to_pass = {ratio->to_pass.low, ratio->to_pass.high, ratio->reference_share,
+                        ratio->reach_of_pixels};
   } else {
     result.absence = Absence::NothingInReference;
   }

@@ -25,6 +25,7 @@ struct ToPass {
   double low = 0;
   double high = 0;
   double reference_share = 0;  // of its variance, which no samples of the result make less
+  double reach_to_fail = 0;    // half of low to high without what looks alone make smaller; 0: all of it
 };
 
 struct MetricResult {
@@ -58,10 +59,12 @@ enum class Computed { Always, OnDemand };
 enum class Better { Lower, Higher, NearZero };
 
 /// What a gate compares with its limits. Value: the number. Certain: likewise, of what is certain of an
-/// error, which noise makes no larger. WholeInterval: fails where the whole interval lies beyond a limit, and
-/// is inconclusive where only a part does. AnyOfInterval: fails where the whole interval lies beyond, and
-/// passes else. NoiseAware: the number, but a miss that noise alone explains is inconclusive.
-enum class GateRule { Value, Certain, WholeInterval, AnyOfInterval, NoiseAware };
+/// error, which noise makes no larger. CertainShare: likewise, where the limit is kCertainShare of the error
+/// that is promised to be found, and an image that can get more samples passes when it may have no such
+/// error. WholeInterval: fails where the whole interval lies beyond a limit, and is inconclusive where only a
+/// part does. AnyOfInterval: fails where the whole interval lies beyond, and passes else. NoiseAware: the
+/// number, but a miss that noise alone explains is inconclusive.
+enum class GateRule { Value, Certain, CertainShare, WholeInterval, AnyOfInterval, NoiseAware };
 
 /// What a gate allows; nothing: no limit on that side.
 struct Limits {

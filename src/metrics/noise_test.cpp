@@ -1,6 +1,7 @@
 #include "metrics/noise_test.h"
 
 #include "base/statistics.h"
+#include "metrics/common_noise.h"
 #include "metrics/shared_noise.h"
 
 #include <algorithm>
@@ -68,6 +69,16 @@ PooledVariance from_scatter(const PairSamples& samples, std::size_t channel, dou
   return {pooled.sum * scale, pooled.squares * scale * scale};
 }
 
+// By the noise that pixels have in common, over areas and all of them, and by the light that no sample has
+// found: what is too dark lacks so much at most.
+void widen(const PairSamples& samples, std::size_t channel, const Totals& totals, Interval& ratio) {
+  const double count = static_cast<double>(samples.included_count);
+  const double over_areas = (ratio.high - ratio.value) * std::sqrt(samples.area_noise.over_16px.at(channel));
+  const double reach = std::max(over_areas, common_reach(samples, channel) * count / totals.reference);
+  ratio.low = ratio.value - reach;
+  ratio.high = ratio.value + std::max(reach, samples.unseen_share);
+}
+
 std::optional<MeanRatio> ratio_of(const PairSamples& samples, std::size_t channel) {
   constexpr double kFirmness = 10;  // the delta method is first order: the divisor must stand firm
   const Totals totals = totals_of(samples, channel);
@@ -88,11 +99,19 @@ std::optional<MeanRatio> ratio_of(const PairSamples& samples, std::size_t channe
                             variance.pooled.degrees(), outside);
   };
   const auto counted = variance_by(samples.variance_ratio);
-  const auto whole = interval_by(counted, kPerTest / 3 / samples.looks);
+  auto whole = interval_by(counted, kPerTest / 3 / samples.looks);
   if (samples.looks == 1) return MeanRatio{whole, whole};
-  const auto seen = variance_by(samples.seen_variance_ratio);
+  const double reach_of_pixels = whole.high - whole.value;
+  widen(samples, channel, totals, whole);
+  auto seen = variance_by(samples.seen_variance_ratio);
+  seen.pooled.scale(samples.area_noise.over_16px.at(channel));
   const double share = seen.pooled.sum > 0 ? std::min(1.0, seen.of_reference / seen.pooled.sum) : 0.0;
-  return MeanRatio{whole, interval_by(seen, 2 * kWrongPasses / samples.looks), share};
+  auto to_pass = interval_by(seen, 2 * kWrongPasses / samples.looks);
+  const double in_common = kErrorsToPass * samples.common_noise.error.at(channel) *
+                           static_cast<double>(samples.included_count) / totals.reference;
+  to_pass.low = std::min(to_pass.low, to_pass.value - in_common);
+  to_pass.high = std::max(to_pass.high, to_pass.value + in_common);
+  return MeanRatio{whole, to_pass, share, reach_of_pixels};
 }
 
 // Mean of independent numbers; their scatter also holds that of the errors themselves, which only makes the
@@ -269,6 +288,7 @@ NoiseTest test_noise(const PairSamples& samples) {
   const double per_test = kPerTest / samples.looks;
   test.blocks = score_blocks(samples, per_test);
   test.windows = window_errors(samples);
+  test.line = line_error(samples);
   test.patterns = find_patterns(samples, per_test);
   test.correlation = strongest_correlation(samples, smooth, per_test);
   test.shared_noise = shared_noise(samples, smooth, kPerNoiseTest / samples.looks);

@@ -3,6 +3,7 @@
 #include "base/statistics.h"
 #include "image/image.h"
 #include "metrics/block_scores.h"
+#include "metrics/line_error.h"
 #include "metrics/mask.h"
 #include "metrics/pair_samples.h"
 #include "metrics/patterns.h"
@@ -55,6 +56,8 @@ struct MeanRatio : Interval {
   /// light must not be called wrong, and is met by none. The interval itself at one look.
   Interval to_pass;
   double reference_share = 0;  // of the variance, which no samples of the result make less
+  /// Half the width of the interval as its pixels alone make it; what they have in common may make it wider.
+  double reach_of_pixels = 0;
 };
 
 struct NoiseTest {
@@ -70,6 +73,7 @@ struct NoiseTest {
   std::optional<SmoothResidual> smooth;  // by variances only; nothing with fewer than 1000 smooth pixels
   BlockScores blocks;
   WindowErrors windows;
+  std::optional<LineError> line;
   /// Every pattern whose whole interval lies beyond what is negligible, that which stands out most first.
   std::vector<PatternFinding> patterns;
   std::optional<Correlation> correlation;

@@ -26,6 +26,18 @@ enum class ResultNoise { AsTheImageSays, NoiseFree };
 /// S1, S2, S3, each interleaved R, G, B.
 using StokesSamples = std::array<std::vector<float>, 3>;
 
+/// What the looks of an image tell of the noise that all of its pixels have in common, see common_noise.h.
+struct CommonNoise {
+  std::array<double, 3> error{};  // standard error of the mean of the image, linear R, G, B
+  double degrees = 0;             // of freedom; 0: nothing is known of it
+};
+
+/// How many times the variance that its pixels state the sum over an area has, by channel.
+struct AreaNoise {
+  std::array<double, 3> over_8px{1, 1, 1};
+  std::array<double, 3> over_16px{1, 1, 1};  // and more
+};
+
 /// The samples of two comparable images, unpacked once and shared by all metrics. Interleaved R, G, B.
 struct PairSamples {
   int width = 0;
@@ -45,6 +57,11 @@ struct PairSamples {
   /// How often the image may be looked at while it gets samples, see docs/understand/verdicts.md: the looks
   /// share the false alarms of every test evenly (Bonferroni).
   int looks = 1;
+  CommonNoise common_noise = {};
+  AreaNoise area_noise = {};
+  /// How much light, as a share of the mean, the image may lack because no sample has found it, where the
+  /// reference says nothing of it (rare_light.h); 0: none.
+  double unseen_share = 0;
   std::optional<StokesSamples> result_stokes;  // nothing where the image has no Stokes parameters
   std::optional<StokesSamples> reference_stokes;
   std::optional<LayerSamples> layers;  // nothing where the reference holds none
@@ -82,6 +99,10 @@ void count_samples(PairSamples& samples, double ratio);
 /// the tests of a gate share kWrongFails.
 constexpr double kWrongFails = 2.5e-4;
 constexpr double kWrongPasses = 1e-3;
+/// Standard errors that leave out so much over twelve looks, of normally distributed noise. Where few numbers
+/// tell the noise, Student's distribution asks for more than any right image has; a wrong one of which they
+/// tell too little is caught by other windows, or at the next look.
+constexpr double kErrorsToPass = 3.8;
 
 /// Whether the image holds the layers S1, S2 and S3.
 bool has_stokes(const image::Image& image);
@@ -134,6 +155,10 @@ struct PooledVariance {
   void add(double variance) {
     sum += variance;
     squares += variance * variance;
+  }
+  void scale(double times) {
+    sum *= times;
+    squares *= times * times;
   }
   /// (sum w)^2 / sum w^2, at least 1 by Cauchy and Schwarz; 1 for no variance at all.
   double degrees() const { return squares > 0 ? sum * sum / squares : 1.0; }

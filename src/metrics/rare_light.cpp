@@ -1,5 +1,6 @@
 #include "metrics/rare_light.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace orbs::metrics {
@@ -7,6 +8,14 @@ namespace orbs::metrics {
 double unseen_light(double hit, const PooledVariance& noise, double probability) {
   constexpr double kKnowsItsNoise = 10;  // pixels
   return noise.degrees() < kKnowsItsNoise ? -hit * std::log(probability) : 0;
+}
+
+double unseen_share(const PairSamples& samples, int spp) {
+  constexpr double kHit = 1e4;  // times the mean
+  const bool is_computed = std::all_of(samples.reference_variance.begin(), samples.reference_variance.end(),
+                                       [](float variance) { return variance == 0; });
+  if (spp == 0 || !is_computed || samples.noise_source == NoiseSource::Reference) return 0;
+  return -kHit * std::log(kWrongFails) / (static_cast<double>(samples.included_count) * spp);
 }
 
 double unseen_light(const PairSamples& samples,

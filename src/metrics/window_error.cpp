@@ -1,7 +1,9 @@
 #include "metrics/window_error.h"
 
-#include "base/statistics.h"
+#include "metrics/common_noise.h"
+#include "metrics/firm_mean.h"
 #include "metrics/rare_light.h"
+#include "metrics/student_reach.h"
 
 #include <algorithm>
 #include <array>
@@ -191,60 +193,30 @@ PooledVariance noise_over(const WindowRow& windows, std::size_t i, NoiseSource s
   return own.sum >= expected.sum ? own : expected;
 }
 
-// Student's quantiles for whole degrees of freedom, rounded down, which makes them larger: one for each
-// window would cost more than the windows.
-class Reach {
- public:
-  explicit Reach(double false_alarms) : false_alarms_(false_alarms) {}
-
-  double false_alarms() const { return false_alarms_; }
-
-  double of(const PooledVariance& variance) {
-    const auto degrees = static_cast<std::size_t>(std::clamp(variance.degrees(), 1.0, kMost));
-    return quantile(degrees) * std::sqrt(variance.sum);
-  }
-
-  /// Times the standard deviation not more than the reach with any degrees of freedom. The quantile falls
-  /// with them, but for what its rounding makes.
-  double least_quantile() {
-    constexpr double kRounding = 1e-9;
-    return (1 - kRounding) * quantile(static_cast<std::size_t>(kMost));
-  }
-
- private:
-  static constexpr double kMost = 255;
-
-  double quantile(std::size_t degrees) {
-    double& quantile = quantiles_.at(degrees);
-    if (quantile == 0) quantile = student_quantile(false_alarms_, static_cast<double>(degrees));
-    return quantile;
-  }
-
-  double false_alarms_;
-  std::array<double, 256> quantiles_{};
-};
-
-// Mean of the reference over R, G and B of the counted pixels; nothing where noise could make it.
-std::optional<double> firm_mean(const PairSamples& samples) {
-  constexpr double kFirmness = 10;
-  double sum = 0;
-  double variance = 0;
-  for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel) {
-    if (samples.included[pixel] == 0) continue;
-    for (std::size_t i = 3 * pixel; i < 3 * pixel + 3; ++i) {
-      sum += static_cast<double>(samples.reference[i]);
-      variance += variance_at(samples.reference_variance, i);
-    }
-  }
-  if (!(sum > kFirmness * std::sqrt(variance))) return std::nullopt;
-  return sum / (3.0 * static_cast<double>(samples.included_count));
+// Of the reference, by the means of R, G and B of the counted pixels.
+double bright_level(const PairSamples& samples) {
+  constexpr double kShare = 0.95;
+  std::vector<double> levels;
+  for (std::size_t pixel = 0; pixel < samples.included.size(); ++pixel)
+    if (samples.included[pixel] != 0)
+      levels.push_back((static_cast<double>(samples.reference[3 * pixel]) +
+                        static_cast<double>(samples.reference[3 * pixel + 1]) +
+                        static_cast<double>(samples.reference[3 * pixel + 2])) /
+                       3);
+  const auto at = static_cast<std::ptrdiff_t>(kShare * static_cast<double>(levels.size() - 1));
+  std::nth_element(levels.begin(), levels.begin() + at, levels.end());
+  return levels[static_cast<std::size_t>(at)];
 }
 
 struct WindowSearch {
   const PairSamples& samples;
   double least_scale;  // by what an error is measured at least
-  Reach reach;
+  StudentReach reach;
+  std::optional<double> least_scale_to_pass;  // where windows are to be shown right, too
+  int side_px;
   std::size_t channel = 0;  // that is looked at
+  double inflation = 1;  // of the variance of a window, and how far noise moves the mean of the whole image,
+  double common_share = 0;  // as a share of it: what pixels have in common (common_noise.h)
   std::optional<WindowError> worst = std::nullopt;
 };
 
@@ -281,7 +253,9 @@ struct Candidates {
 
 // How far noise moves the sum over the window, and what it may lack besides where no sample found it.
 double reach_over(const WindowRow& windows, std::size_t i, const Rectangle& where, WindowSearch& search) {
-  const double reach = search.reach.of(noise_over(windows, i, search.samples.noise_source));
+  const double own =
+      std::sqrt(search.inflation) * search.reach.of(noise_over(windows, i, search.samples.noise_source));
+  const double reach = std::hypot(own, search.common_share * windows.of(Reference, i));
   if (windows.of(Difference, i) >= 0) return reach;
   return std::max(reach, unseen_light(search.samples, where, search.channel, search.reach.false_alarms()));
 }
@@ -294,7 +268,26 @@ void look_at(const WindowRow& windows, std::size_t i, const Rectangle& where, Wi
   const double off = off_by(windows, i);
   if (off <= search.worst->value * scale) return;
   const double certain = off - reach_over(windows, i, where, search);
-  if (certain > search.worst->value * scale) search.worst = {certain / scale, where};
+  if (certain <= search.worst->value * scale) return;
+  search.worst->value = certain / scale;
+  search.worst->where = where;
+}
+
+// What is seen of an error, and what the result's own noise hides of it besides: by its own variances, as for
+// the mean, because a pass that waits for light which the image has not met waits for ever.
+double largest_error(const WindowRow& windows, std::size_t i, WindowSearch& search) {
+  const double of_reference =
+      windows.of(ExpectedVariance, i) / (search.samples.variance_ratio.at(search.channel) + 1);
+  const double own = own_noise_over(windows, i, search.samples.noise_source);
+  const double reach = kErrorsToPass * std::sqrt(search.inflation * std::max(0.0, own - of_reference));
+  return (std::max(0.0, off_by(windows, i)) + reach) / scale_of(windows, i, *search.least_scale_to_pass);
+}
+
+void look_at_largest(const WindowRow& windows, WindowSearch& search) {
+  const double fewest = search.side_px * search.side_px / 2.0;
+  for (std::size_t i = 0; i < windows.count(); ++i)
+    if (windows.of(Count, i) >= fewest && search.worst)
+      search.worst->largest = std::max(search.worst->largest, largest_error(windows, i, search));
 }
 
 void look_everywhere(const Cells& cells, WindowSearch& search) {
@@ -311,7 +304,16 @@ void look_everywhere(const Cells& cells, WindowSearch& search) {
       const int x = static_cast<int>(i) * cells.side_px;
       look_at(windows, i, {x, y, x + side_px, y + side_px}, search);
     }
+    if (search.least_scale_to_pass) look_at_largest(windows, search);
   }
+}
+
+void set_channel(std::size_t channel, WindowSearch& search) {
+  const auto& samples = search.samples;
+  const auto& area = samples.area_noise;
+  search.channel = channel;
+  search.inflation = (search.side_px == kWindows_px.front() ? area.over_8px : area.over_16px).at(channel);
+  search.common_share = common_share(samples, channel);
 }
 
 // How many windows of one channel there are.
@@ -331,14 +333,19 @@ WindowErrors window_errors(const PairSamples& samples) {
   if (!image_mean) return errors;
   std::vector<WindowSearch> searches;
   for (const int side_px : kWindows_px) {
-    const double least = (side_px == kWindows_px.front() ? 1 : kDarkest) * *image_mean;
+    const bool is_smallest = side_px == kWindows_px.front();
+    const double least = (is_smallest ? 1 : kDarkest) * *image_mean;
     const double windows = std::max(1.0, windows_in(samples, side_px));
-    searches.push_back({samples, least, Reach(kFalseAlarmsOfAllWindows / (3 * windows * samples.looks))});
+    searches.push_back({samples, least,
+                        StudentReach(kFalseAlarmsOfAllWindows / (3 * windows * samples.looks)), std::nullopt,
+                        side_px});
+    if (samples.looks > 1 && !is_smallest)
+      searches.back().least_scale_to_pass = std::max(*image_mean, bright_level(samples) / 2);
   }
   auto px1 = no_cells(1, static_cast<std::size_t>(samples.width), static_cast<std::size_t>(samples.height));
   for (std::size_t channel = 0; channel < 3; ++channel) {
     set_pixels(samples, channel, px1);
-    for (auto& search : searches) search.channel = channel;
+    for (auto& search : searches) set_channel(channel, search);
     const auto px2 = merged(px1, 2);
     look_everywhere(px1, searches[0]);
     look_everywhere(px2, searches[1]);

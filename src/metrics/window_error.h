@@ -23,7 +23,17 @@ namespace orbs::metrics {
 struct WindowError {
   double value = 0;  // 0: no window is off for certain
   Rectangle where;   // the worst, the first by rows
+  /// What an error over any window may be at most, within kErrorsToPass; relative to the
+  /// window's mean of the reference, at least half of what is bright in the image (the 95th percentile),
+  /// because what hides an error of the dark hides nothing that anybody sees. What the noise of the reference
+  /// hides does not count: no samples of the result show it. 0 with one look, and for the smallest windows,
+  /// which are too many.
+  double largest = 0;
 };
+
+/// An error that a gate of windows promises to find must be certain to so much of its size: the limit is this
+/// share of the promised one.
+inline constexpr double kCertainShare = 0.6;
 
 /// Sides of the windows.
 inline constexpr std::array kWindows_px{8, 16, 64};

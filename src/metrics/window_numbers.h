@@ -9,7 +9,9 @@ template <std::size_t Window>
 MetricResult compute_window_error(const ImagePair& pair) {
   const auto& worst = std::get<Window>(pair.noise.windows);
   if (!worst) return {.value = std::nullopt, .absence = Absence::NothingInReference};
-  return {.value = worst->value, .where = worst->where};
+  MetricResult result{.value = worst->value, .where = worst->where};
+  if (worst->largest > 0) result.to_pass = ToPass{0, worst->largest};
+  return result;
 }
 
 /// "the mean over [16,0,32,16] is off by 12 % or more for certain, at most 3 % is allowed".
@@ -38,7 +40,7 @@ inline constexpr MetricInfo kWindowError16{
     kNoMap,
     compute_window_error<1>,
     Computed::Always,
-    GateRule::Certain,
+    GateRule::CertainShare,
     describe_window_error};
 
 inline constexpr MetricInfo kWindowError64{
@@ -49,8 +51,30 @@ inline constexpr MetricInfo kWindowError64{
     kNoMap,
     compute_window_error<2>,
     Computed::Always,
-    GateRule::Certain,
+    GateRule::CertainShare,
     describe_window_error};
+
+inline MetricResult compute_line_error(const ImagePair& pair) {
+  const auto& worst = pair.noise.line;
+  if (!worst) return {.value = std::nullopt, .absence = Absence::NothingInReference};
+  return {.value = worst->value, .where = worst->where};
+}
+
+/// "a line of pixels in [0,0,128,128] is off by 12 % or more for certain, at most 10 % is allowed".
+std::string describe_line_error(const Measurement& measurement, const Limits& limits);
+
+inline constexpr MetricInfo kLineError{
+    "line_error",
+    "1",
+    Better::Lower,
+    "the largest |mean(result) - mean(reference)| over the unmasked pixels of any line of 16, 32, 64 ... px, of any "
+    "slope and one pixel wide, less the reach of its noise and what edges 0.2 px away make, over the larger of the "
+    "reference's means of line and image; of R, G and B the worst; linear Rec.709, no clamp",
+    kNoMap,
+    compute_line_error,
+    Computed::Always,
+    GateRule::Certain,
+    describe_line_error};
 
 /// A difference of images has no mean level, and black has no patterns. What lies beyond a pattern's range is
 /// another error, which other gates see.

@@ -38,6 +38,7 @@ std::vector<Gate> default_gates() {
   // 0.6 of the errors that are promised to be refused, 5 % and 2 %: noise may hide 0.4 of them.
   constexpr double kSmallWindow = 0.03;
   constexpr double kLargeWindow = 0.012;
+  constexpr double kLine = 0.1;
   return {{"psnr_srgb8", kPsnr_db, {}},
           {"mean_ratio_r", -kMeanRatio, kMeanRatio},
           {"mean_ratio_g", -kMeanRatio, kMeanRatio},
@@ -47,6 +48,7 @@ std::vector<Gate> default_gates() {
           {"window_error_8px", {}, kSmallWindow},
           {"window_error_16px", {}, kSmallWindow},
           {"window_error_64px", {}, kLargeWindow},
+          {"line_error", {}, kLine},
           {"pattern_error", {}, 1}};
 }
 

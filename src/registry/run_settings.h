@@ -37,7 +37,7 @@ struct RunSettings {
   bool view = false;  // serve the page at the end and open it in the browser
   // Of one call: a run that is resumed has these anew.
   double budget_seconds = 0;         // of rendering in the whole run; 0: no limit
-  double target_budget_seconds = 0;  // of one target; 0: by the size, see run/looks.h
+  double target_budget_seconds = 0;  // of one target; 0: as many samples as usual, see run/looks.h
   int max_fail = 0;                  // 0: no limit
   bool last_failed = false;
   int durations = 0;
@@ -125,12 +125,13 @@ void fields_of_conduct(Visitor& visit, Settings& run) {
            "2h. In the file seconds, 0: no limit",
        .option = "--budget TIME",
        .range = json::kNotNegative});
-  visit("target_budget", run.target_budget_seconds,
-        {.help =
-             "Rendering time that one target gets at most. In the file seconds, 0: 120 at `1/4` and below, 4 "
-             "times as much for each doubling of the size",
-         .option = "--target-budget TIME",
-         .range = json::kNotNegative});
+  visit(
+      "target_budget", run.target_budget_seconds,
+      {.help =
+           "Rendering time that one target gets at most, in place of the usual number of samples: 30s, 20m, 2h. In "
+           "the file seconds, 0: the usual number of samples",
+       .option = "--target-budget TIME",
+       .range = json::kNotNegative});
   visit("strict", run.strict, {.help = "Let a pass with remarks make the run fail", .option = "--strict"});
   visit(
       "sandbox", run.sandbox,

@@ -112,12 +112,29 @@ void fields(Visitor& visit, Record& end) {
   visit("core_dumped", end.core_dumped);
 }
 
+/// How the two renders of one look differ, which is noise: the mean of the first less that of the second.
+struct LookApart {
+  int spp = 0;  // of both together
+  double r = 0;
+  double g = 0;
+  double b = 0;
+};
+
+template <class Visitor, json::RecordOf<LookApart> Record>
+void fields(Visitor& visit, Record& apart) {
+  visit("spp", apart.spp, {.range = {.min = 1}});
+  visit("r", apart.r);
+  visit("g", apart.g);
+  visit("b", apart.b);
+}
+
 /// How the samples of a sequential render came about.
 struct JobSampling {
   int looks = 0;       // 0: the samples were fixed beforehand
   int most_looks = 0;  // that the error rates allow for
   /// Why there are no more: "decided", "edge", "reference", "budget", "looks"; "" while it goes on.
   std::string end;
+  std::vector<LookApart> apart{};  // by look
 };
 
 template <class Visitor, json::RecordOf<JobSampling> Record>
@@ -125,6 +142,7 @@ void fields(Visitor& visit, Record& sampling) {
   visit("looks", sampling.looks, {.range = {.min = 0}});
   visit("most_looks", sampling.most_looks, {.range = {.min = 0}});
   visit("end", sampling.end);
+  visit("apart", sampling.apart);
 }
 
 /// What rounding decides in the scene: it was rendered in single and in double precision, with few samples

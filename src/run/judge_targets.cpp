@@ -112,7 +112,8 @@ struct JudgedImage {
   const std::array<image::Image, 2>* halves = nullptr;
   int spp = 0;
   int first_guess = 1;
-  results::JobCondition condition = {};  // of its render, where it is of one
+  std::vector<results::LookApart> apart = {};  // by look
+  results::JobCondition condition = {};        // of its render, where it is of one
 };
 
 // The samples of the reference for one sample of the image, each pixel of which covers several of the full
@@ -138,6 +139,9 @@ judge::JudgeSettings judge_settings(const Plan& plan,
   if (judged.halves == nullptr) return settings;
   settings.looks.most = kMostLooks;
   settings.looks.halves = judged.halves;
+  settings.looks.spp = judged.spp;
+  for (const auto& apart : judged.apart)
+    settings.looks.apart.push_back({apart.spp, {apart.r, apart.g, apart.b}});
   settings.looks.of_first_guess = static_cast<double>(judged.spp) / judged.first_guess;
   if (reference.image) settings.looks.sample_ratio = sample_ratio(plan, planned, *reference.image, judged);
   return settings;
@@ -227,10 +231,11 @@ std::vector<JudgedTarget> judge_scene(const Plan& plan,
     auto& [record, look] = all.emplace_back(JudgedTarget{blank_target(plan, planned, folders.run)});
     record.image = execution.record.files.image;
     if (execution.image) {
-      look = judge_target(plan, planned,
-                          {*execution.image, halves, execution.record.identity.spp,
-                           first_guess_spp(plan.jobs[job]), execution.record.condition},
-                          folders, record);
+      look = judge_target(
+          plan, planned,
+          {*execution.image, halves, execution.record.identity.spp, first_guess_spp(plan.jobs[job]),
+           execution.record.sampling.apart, execution.record.condition},
+          folders, record);
     } else {
       take_job_verdict(execution.record, record);
     }
@@ -248,6 +253,18 @@ image::Image unchanged_image(const JobRecord& job, const std::filesystem::path& 
     throw InputError(fmt::format("{}: has changed since its render: its hash is now {}, it was {}",
                                  job.files.image, now, job.hashes.image));
   return image::read_exr(file.string(), bytes);
+}
+
+// Both scenes are rendered with the same seeds, so a look of both has the difference of what they show.
+std::vector<results::LookApart> apart_of_difference(const results::JobSampling& of,
+                                                    const results::JobSampling& minus) {
+  std::vector<results::LookApart> apart;
+  for (std::size_t i = 0; i < std::min(of.apart.size(), minus.apart.size()); ++i) {
+    const auto& a = of.apart[i];
+    const auto& b = minus.apart[i];
+    if (a.spp == b.spp) apart.push_back({a.spp, a.r - b.r, a.g - b.g, a.b - b.b});
+  }
+  return apart;
 }
 
 std::array<image::Image, 2> halves_of_difference(const std::vector<const JobRecord*>& jobs,
@@ -296,7 +313,8 @@ JudgedTarget judge_difference(const Plan& plan,
   judged.look = judge_target(plan, planned,
                              {result, has_halves ? &halves : nullptr,
                               std::min(jobs.front()->identity.spp, jobs.back()->identity.spp),
-                              first_guess_spp(plan.jobs[planned.jobs.front()])},
+                              first_guess_spp(plan.jobs[planned.jobs.front()]),
+                              apart_of_difference(jobs.front()->sampling, jobs.back()->sampling)},
                              folders, record);
   put_in_place(folders.unfinished / relative, folders.run / relative);
   return judged;

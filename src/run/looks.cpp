@@ -16,7 +16,7 @@ namespace orbs::run {
 namespace {
 
 constexpr int kFewest = 16;
-constexpr int kOfTheCase = 4;
+constexpr int kLargestStep = 16;
 constexpr int kSeeds = 2048;  // a renderer's seed_stride of a million times that is a seed of 32 bits
 
 int power_of_two_below(int number) { return static_cast<int>(std::bit_floor(static_cast<unsigned>(number))); }
@@ -32,13 +32,21 @@ int seed_of(int run_seed, int render) {
 
 }  // namespace
 
-int first_look_spp(const Plan& plan, const registry::Renderer& renderer, int spp) {
+int first_look_spp(const Plan& plan, const registry::Renderer& renderer) {
   const auto& sampling = renderer.sampling;
   if (plan.settings.fixed_samples || sampling.is_noise_free || sampling.has_fixed_samples) return 0;
   if (plan.place == RenderPlace::Elsewhere || !plan.images.empty()) return 0;
   if (!registry::uses_placeholder(renderer.command.words, "spp") || !takes_seed(renderer.command)) return 0;
-  return std::max({kFewest, power_of_two_below(std::max(1, spp / kOfTheCase)),
-                   2 * power_of_two_above(sampling.least_spp)});
+  return std::max(kFewest, 2 * power_of_two_above(sampling.least_spp));
+}
+
+int most_spp(const Plan& plan, const PlannedJob& job) {
+  constexpr int kUsual = 4096;
+  constexpr double kPaths = 0x1p28;
+  const auto& camera = plan.scenes[job.scene].scene->camera;
+  const double of_small = kPaths / (static_cast<double>(camera.width_px) * camera.height_px);
+  const double of_looks = std::ldexp(job.first_spp, kMostLooks - 1);
+  return power_of_two_below(static_cast<int>(std::min(of_looks, std::max<double>(kUsual, of_small))));
 }
 
 int first_guess_spp(const PlannedJob& job) {
@@ -46,59 +54,81 @@ int first_guess_spp(const PlannedJob& job) {
   return job.spp < std::sqrt(2.0) * below ? below : 2 * below;
 }
 
-int samples_after(const PlannedJob& job, int looks) {
-  return looks == 0 ? 0 : static_cast<int>(std::ldexp(job.first_spp, looks - 1));
+int samples_after_next(const Plan& plan, const PlannedJob& job, int spp, double times_at_best) {
+  const bool counts_images = !plan.renderers[job.renderer].entry.command.sequence.words.empty();
+  const int times = counts_images || !(times_at_best > 2)
+                        ? 2
+                        : power_of_two_below(static_cast<int>(std::min<double>(kLargestStep, times_at_best)));
+  return spp * times;
 }
 
-PlannedLook next_look(const PlannedJob& job, int looks, int run_seed) {
-  const int more = samples_after(job, looks + 1) - samples_after(job, looks);
-  return {more / 2, {seed_of(run_seed, 2 * looks), seed_of(run_seed, 2 * looks + 1)}};
-}
-
-PlannedLook next_look(const Plan& plan, const PlannedJob& job, int looks) {
+PlannedLook next_look(const Plan& plan, const PlannedJob& job, int looks, int before, int after) {
   const int run_seed = plan.settings.seed;
-  auto look = next_look(job, looks, run_seed);
+  PlannedLook look{(after - before) / 2, {seed_of(run_seed, 2 * looks), seed_of(run_seed, 2 * looks + 1)}};
   if (plan.renderers[job.renderer].entry.command.sequence.words.empty()) return look;
   constexpr int kImages = 4;
-  const int before = kImages * (run_seed - 1) + (looks == 0 ? 0 : 2);
-  look.seeds = {before + 1, before + 2};
+  const int images_before = kImages * (run_seed - 1) + (looks == 0 ? 0 : 2);
+  look.seeds = {images_before + 1, images_before + 2};
   return look;
 }
 
-double target_budget_seconds(const registry::RunSettings& settings) {
-  constexpr double kUsual = 120;
-  if (settings.target_budget_seconds > 0) return settings.target_budget_seconds;
-  const double times =
-      static_cast<double>(registry::QuarterSize) / static_cast<double>(settings.size_divisor);
-  return kUsual * std::max(1.0, times * times);
+PlannedLook first_look(const Plan& plan, const PlannedJob& job) {
+  return next_look(plan, job, 0, 0, job.first_spp);
 }
 
-double seconds_to_decide(const judge::Look& look, double seconds) {
-  const double times = std::isfinite(look.need.samples) ? look.need.samples : look.need.at_best;
-  return seconds * (std::max(2.0, times) - 1);
+namespace {
+
+// Times the samples that decide it, at least twice.
+double times_to_decide(const judge::Look& look) {
+  return std::max(2.0, std::isfinite(look.need.samples) ? look.need.samples : look.need.at_best);
 }
 
-End end_by_budget(const judge::Look& look, double seconds) {
-  const double times = std::isfinite(look.need.samples) ? look.need.samples : look.need.at_best;
-  if (!std::isfinite(times))
-    return {"budget", "its noise; the budget ended before it could be told how much"};
-  return {"budget",
-          fmt::format("its noise: about {} times the samples ({}) would decide it",
-                      two_digits(std::max(2.0, times)), duration_text(seconds * std::max(2.0, times)))};
+std::string noise_text(const judge::Look& look, const LooksSoFar& so_far) {
+  const double times = times_to_decide(look);
+  if (!std::isfinite(times)) return "its noise; too few samples to tell how much";
+  return fmt::format("its noise: about {} times the samples ({}) would decide it", two_digits(times),
+                     duration_text(so_far.seconds + seconds_to_decide(look, so_far)));
 }
 
-End end_after(const judge::Look& look, int looks, double seconds, double budget_seconds) {
-  constexpr int kFewestToPredict = 3;
+// A prediction counts where even at best it is far beyond, and not before it rests on some looks.
+constexpr int kFewestToPredict = 3;
+
+bool is_beyond_samples(const judge::Look& look, const LooksSoFar& so_far) {
+  const double at_best = so_far.spp * std::max(2.0, look.need.at_best);
+  return at_best > (so_far.looks >= kFewestToPredict ? 1 : kLargestStep) * 2.0 * so_far.most_spp ||
+         2 * so_far.spp > so_far.most_spp;
+}
+
+bool is_beyond_time(const judge::Look& look, const LooksSoFar& so_far) {
+  const auto after = [&](double times) {
+    return so_far.seconds + seconds_for(so_far.pace, so_far.spp * (times - 1));
+  };
+  return after(2) > so_far.budget_seconds ||
+         (so_far.looks >= kFewestToPredict && after(look.need.at_best) > 2 * so_far.budget_seconds);
+}
+
+}  // namespace
+
+double seconds_to_decide(const judge::Look& look, const LooksSoFar& so_far) {
+  return seconds_for(so_far.pace, so_far.spp * (times_to_decide(look) - 1));
+}
+
+End end_by_budget(const judge::Look& look, const LooksSoFar& so_far) {
+  return {"budget", noise_text(look, so_far)};
+}
+
+End end_after(const judge::Look& look, const LooksSoFar& so_far) {
   if (!look.is_open) return {"decided", ""};
   if (look.need.is_edge) return {"edge", "it lies on the edge of this gate"};
-  if (looks >= kFewestToPredict && look.need.is_reference)
+  if (so_far.looks >= kFewestToPredict && look.need.is_reference)
     return {"reference",
             "the noise of the reference: no number of samples decides it before the reference has more"};
-  if (looks >= kMostLooks) return {"looks", fmt::format("{} looks have not decided it", looks)};
-  // The next look takes as long as all before. A prediction counts where even at best it is far beyond.
-  const bool is_hopeless =
-      looks >= kFewestToPredict && seconds * (look.need.at_best - 1) > 2 * (budget_seconds - seconds);
-  if (2 * seconds > budget_seconds || is_hopeless) return end_by_budget(look, seconds);
+  if (so_far.looks >= kMostLooks) return {"looks", fmt::format("{} looks have not decided it", so_far.looks)};
+  if (so_far.budget_seconds > 0) return is_beyond_time(look, so_far) ? end_by_budget(look, so_far) : End{};
+  if (is_beyond_samples(look, so_far))
+    return {"looks",
+            fmt::format("{}; a run gives {} by itself, and as many as it takes within --target-budget",
+                        noise_text(look, so_far), so_far.most_spp)};
   return {};
 }
 

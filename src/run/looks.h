@@ -3,6 +3,7 @@
 #include "judge/judge.h"
 #include "registry/renderer.h"
 #include "results/record.h"
+#include "run/pace.h"
 #include "run/plan/plan.h"
 
 #include <string>
@@ -19,31 +20,36 @@ constexpr int kMostLooks = 12;
 /// The file beside the image of such a job that holds the halves of its samples.
 inline constexpr const char* kHalvesFile = "halves.exr";
 
-/// The samples of the first look, both renders together, a power of two: a quarter of those of the case, at
-/// least 16 and twice what one render of the renderer has at least. 0 where all samples are rendered at once:
-/// the run wants it so, the renderer has no noise or none that more seeds lower, its command takes no samples
-/// or no seed, or the images are rendered elsewhere.
-int first_look_spp(const Plan& plan, const registry::Renderer& renderer, int spp);
+/// The samples of the first look, both renders together, a power of two: 16, and twice what one render of the
+/// renderer has at least. 0 where all samples are rendered at once: the run wants it so, the renderer has no
+/// noise or none that more seeds lower, its command takes no samples or no seed, or the images are rendered
+/// elsewhere.
+int first_look_spp(const Plan& plan, const registry::Renderer& renderer);
 
-/// The samples, as a power of two, before which no image passes in which noise hides errors: the nearest to
-/// those of the case.
+/// The most samples that looks give a job where no time is set: 4096, or in small images what makes 2^28
+/// paths of the whole image, and what twelve looks that double them come to at most. The scenes of the suites
+/// that need most need half of that; the samples say the same on any machine, which a clock does not.
+int most_spp(const Plan& plan, const PlannedJob& job);
+
+/// The samples, as a power of two, before which a plain number that has no interval is no miss: the nearest
+/// to those of the case.
 int first_guess_spp(const PlannedJob& job);
 
-/// All samples after so many looks.
-int samples_after(const PlannedJob& job, int looks);
+/// All samples after the next look, of `spp` that are there: as many times as many as its open targets need
+/// at best, as a power of two from 2 to 16. Each look has its price, as a renderer starts twice and the image
+/// is judged. A renderer whose seeds count images (registry::ImageSequence) doubles its samples.
+int samples_after_next(const Plan& plan, const PlannedJob& job, int spp, double times_at_best);
 
-/// The look after so many. Its seeds are below 2049, far from those of references, no two of one job are
-/// equal, and all jobs of a run have the same, so that the difference of two scenes loses their common noise.
-PlannedLook next_look(const PlannedJob& job, int looks, int run_seed);
+/// The look after so many, from `before` to `after` samples in all. Its seeds are below 2049, far from those
+/// of references, no two of one job are equal, and all jobs of a run have the same, so that the difference of
+/// two scenes loses their common noise. Where seeds count the images of a run, its renders are the third and
+/// the fourth image of one: a look has as many samples as all before, half of them in each render, so the
+/// first two images hold the random numbers of all looks before. The first look takes these two. The seed of
+/// the run shifts all by four.
+PlannedLook next_look(const Plan& plan, const PlannedJob& job, int looks, int before, int after);
 
-/// The look of a job of the plan. Where seeds count the images of a run (registry::ImageSequence), its
-/// renders are the third and the fourth image of one: a look has as many samples as all before, half of them
-/// in each render, so the first two images hold the random numbers of all looks before. The first look takes
-/// these two. The seed of the run shifts all by four.
-PlannedLook next_look(const Plan& plan, const PlannedJob& job, int looks);
-
-/// Seconds of rendering that one target gets at most.
-double target_budget_seconds(const registry::RunSettings& settings);
+/// The first look of a job.
+PlannedLook first_look(const Plan& plan, const PlannedJob& job);
 
 /// Why a job gets no more samples: JobSampling::end, and the text for a target that is left undecided.
 struct End {
@@ -51,14 +57,24 @@ struct End {
   std::string text;
 };
 
-/// What is to be done after a look that took all looks together to `seconds`.
-End end_after(const judge::Look& look, int looks, double seconds, double budget_seconds);
+/// How far a job, or the jobs of a group, have come.
+struct LooksSoFar {
+  int looks = 0;
+  int spp = 0;
+  int most_spp = 0;
+  double seconds = 0;  // that their renders took, all looks together
+  Pace pace = {};
+  double budget_seconds = 0;  // that the user has set, for the samples that a run gives by itself; 0: none
+};
+
+/// What is to be done after a look.
+End end_after(const judge::Look& look, const LooksSoFar& so_far);
 
 /// The end of what a run's budget stops.
-End end_by_budget(const judge::Look& look, double seconds);
+End end_by_budget(const judge::Look& look, const LooksSoFar& so_far);
 
 /// About how long it takes to decide it, seconds.
-double seconds_to_decide(const judge::Look& look, double seconds);
+double seconds_to_decide(const judge::Look& look, const LooksSoFar& so_far);
 
 /// As the target's record has it.
 results::LookRecord look_record(const judge::Look& look, results::Verdict verdict, int spp);

@@ -10,7 +10,9 @@
 #include "run/resume.h"
 
 #include <algorithm>
-#include <set>
+#include <cmath>
+#include <limits>
+#include <map>
 #include <utility>
 
 #include <fmt/format.h>
@@ -48,10 +50,13 @@ void merge_look(const RenderSession& session,
   const int looks = before.sampling.looks;
   metrics::MergedRenders merged;
   if (looks > 0) merged = merged_before(session, before);
+  auto apart = before.sampling.apart;
+  const auto look = metrics::renders_apart(execution.renders[0], execution.renders[1], 2 * job.look->spp);
+  apart.push_back({look.spp, look.means[0], look.means[1], look.means[2]});
   metrics::add_renders(merged, {std::move(execution.renders[0]), std::move(execution.renders[1])},
                        job.look->spp);
   record.identity.spp = merged.samples;
-  record.sampling = {looks + 1, kMostLooks, ""};
+  record.sampling = {looks + 1, kMostLooks, "", std::move(apart)};
   const auto folder = session.folders.unfinished / job.folder;
   image::write_exr(merged.mean, folder / std::filesystem::path(record.files.image).filename());
   image::write_exr(metrics::halves_image(merged), folder / kHalvesFile);
@@ -73,10 +78,12 @@ void keep_condition(const RenderSession& session,
     keep_condition_images(session.folders.run / job.folder, session.folders.unfinished / job.folder);
 }
 
-// Renders a look of the job. What it leaves without a usable image, or what cannot be merged, ends the job.
-Execution rendered_look(RenderSession& session, std::size_t index, const JobRecord& before) {
+// Renders the next look of the job, up to `spp` samples in all. What it leaves without a usable image, or
+// what cannot be merged, ends the job.
+Execution rendered_look(RenderSession& session, std::size_t index, const JobRecord& before, int spp) {
   auto job = session.plan.jobs[index];
-  job.look = next_look(session.plan, job, before.sampling.looks);
+  const int looks = before.sampling.looks;
+  job.look = next_look(session.plan, job, looks, looks == 0 ? 0 : before.identity.spp, spp);
   // What rounding decides is asked once.
   job.has_condition = job.has_condition && before.sampling.looks == 0;
   auto execution = render_job(session, index, job);
@@ -126,8 +133,8 @@ JudgedJob judge_and_place(RenderSession& session,
   return judged;
 }
 
-JudgedJob look_at_job(RenderSession& session, std::size_t index, const JudgedJob& before) {
-  auto execution = rendered_look(session, index, before.job);
+JudgedJob look_at_job(RenderSession& session, std::size_t index, const JudgedJob& before, int spp) {
+  auto execution = rendered_look(session, index, before.job, spp);
   if (execution.record.end.outcome == JobOutcome::Skipped) {
     // Interrupted: what the looks before have left stays.
     if (before.job.sampling.looks > 0) return before;
@@ -151,8 +158,9 @@ Earlier earlier_job(RenderSession& session, std::size_t index) {
     return {};
   }
   const auto& found = earlier.found->job;
-  const bool goes_on = found.sampling.looks > 0 && has_image(found) &&
-                       (found.sampling.end.empty() || found.sampling.end == "budget");
+  const bool goes_on =
+      found.sampling.looks > 0 && has_image(found) &&
+      (found.sampling.end.empty() || found.sampling.end == "budget" || found.sampling.end == "looks");
   JudgedJob kept{found, std::move(earlier.found->targets), {}};
   kept.looks.resize(kept.targets.size());
   if (earlier.step == Step::Keep && !goes_on) return {true, true, std::move(kept)};
@@ -204,15 +212,18 @@ void for_each_target(const RenderSession& session,
     visit(judged.record, judged.look, session.plan.targets[index].jobs);
 }
 
-// The jobs that some open target of the group needs more samples of.
-std::set<std::size_t> open_jobs(const RenderSession& session,
-                                JobGroup& group,
-                                std::vector<JudgedJob>& results) {
-  std::set<std::size_t> open;
+// The jobs that some open target of the group needs more samples of, and how many times as many at best:
+// those of the target that needs most.
+std::map<std::size_t, double> open_jobs(const RenderSession& session,
+                                        JobGroup& group,
+                                        std::vector<JudgedJob>& results) {
+  std::map<std::size_t, double> open;
   for_each_target(session, group, results, [&](const auto&, const judge::Look& look, const auto& jobs) {
     if (!look.is_open) return;
+    const double times = std::isfinite(look.need.at_best) ? look.need.at_best : 2;
     for (const auto job : jobs)
-      if (results[job].job.sampling.looks > 0 && has_image(results[job].job)) open.insert(job);
+      if (results[job].job.sampling.looks > 0 && has_image(results[job].job))
+        open[job] = std::max(open[job], times);
   });
   return open;
 }
@@ -251,7 +262,8 @@ void begin(RenderSession& session, JobGroup& group, std::vector<JudgedJob>& resu
     } else if (is_stopped(session)) {
       results[job] = skipped_job(session, job, session.at_start[job]);
     } else {
-      results[job] = look_at_job(session, job, {session.at_start[job], {}, {}});
+      results[job] =
+          look_at_job(session, job, {session.at_start[job], {}, {}}, session.plan.jobs[job].first_spp);
     }
   }
   if (!is_all_done) return;
@@ -265,12 +277,52 @@ bool is_cut(const JobGroup& group, const std::vector<JudgedJob>& results) {
                      [&](auto job) { return results[job].job.end.outcome == JobOutcome::Skipped; });
 }
 
+// What the group's renders have come to, with the time of the look that was taken last.
 void sum_looks(JobGroup& group, const std::vector<JudgedJob>& results) {
+  LookTime last{-group.seconds, -group.spp};
   group.seconds = 0;
+  group.spp = 0;
   group.looks = 0;
   for (const auto job : group.jobs) {
     group.seconds += results[job].job.cost.wall_seconds;
+    group.spp = std::max(group.spp, results[job].job.identity.spp);
     group.looks = std::max(group.looks, results[job].job.sampling.looks);
+  }
+  last.seconds += group.seconds;
+  last.spp += group.spp;
+  if (last.spp <= 0) return;
+  if (last.spp > group.longer_look.spp) group.shorter_look = group.longer_look;
+  group.longer_look = last;
+}
+
+// Without more samples than the job of the group that may have fewest.
+LooksSoFar so_far_of(const RenderSession& session, const JobGroup& group) {
+  int most = std::numeric_limits<int>::max();
+  for (const auto job : group.jobs) most = std::min(most, most_spp(session.plan, session.plan.jobs[job]));
+  return {group.looks,
+          group.spp,
+          most,
+          group.seconds,
+          pace_of(group.shorter_look, group.longer_look),
+          session.plan.settings.target_budget_seconds};
+}
+
+// As the time that the user has set allows, else as the usual number of samples does.
+int spp_after_next(
+    const RenderSession& session, std::size_t index, const LooksSoFar& so_far, int spp, double times) {
+  const auto& job = session.plan.jobs[index];
+  int after = samples_after_next(session.plan, job, spp, times);
+  if (so_far.budget_seconds == 0) return std::min(after, std::max(2 * spp, so_far.most_spp));
+  while (after > 2 * spp && so_far.seconds + seconds_for(so_far.pace, after - spp) > so_far.budget_seconds)
+    after /= 2;
+  return after;
+}
+
+void look_at_open_jobs(RenderSession& session, JobGroup& group, std::vector<JudgedJob>& results) {
+  const auto so_far = so_far_of(session, group);
+  for (const auto& [index, times] : open_jobs(session, group, results)) {
+    const int spp = spp_after_next(session, index, so_far, results[index].job.identity.spp, times);
+    results[index] = look_at_job(session, index, results[index], spp);
   }
 }
 
@@ -281,8 +333,7 @@ void take_look(RenderSession& session, JobGroup& group, std::vector<JudgedJob>& 
     begin(session, group, results);
     if (group.is_done) return;
   } else {
-    for (const auto job : open_jobs(session, group, results))
-      results[job] = look_at_job(session, job, results[job]);
+    look_at_open_jobs(session, group, results);
   }
   if (is_cut(group, results)) {
     group.is_done = true;
@@ -298,23 +349,22 @@ void take_look(RenderSession& session, JobGroup& group, std::vector<JudgedJob>& 
     group.is_done = true;
     return;
   }
-  const double budget = target_budget_seconds(session.plan.settings);
-  const auto end_of = [&](const judge::Look& look) {
-    return end_after(look, group.looks, group.seconds, budget);
-  };
+  const auto so_far = so_far_of(session, group);
+  const auto end_of = [&](const judge::Look& look) { return end_after(look, so_far); };
   bool goes_on = false;
   group.seconds_to_decide = 0;
   for_each_target(session, group, results, [&](const auto&, const judge::Look& look, const auto&) {
     goes_on = goes_on || end_of(look).name.empty();
     if (look.is_open)
-      group.seconds_to_decide = std::max(group.seconds_to_decide, seconds_to_decide(look, group.seconds));
+      group.seconds_to_decide = std::max(group.seconds_to_decide, seconds_to_decide(look, so_far));
   });
   if (!goes_on) end_group(session, group, results, end_of);
 }
 
 void end_by_run_budget(RenderSession& session, JobGroup& group, std::vector<JudgedJob>& results) {
+  const auto so_far = so_far_of(session, group);
   end_group(session, group, results, [&](const judge::Look& look) {
-    return look.is_open ? end_by_budget(look, group.seconds) : End{"decided", ""};
+    return look.is_open ? end_by_budget(look, so_far) : End{"decided", ""};
   });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "run/judge_targets.h"
+#include "run/pace.h"
 #include "run/render_session.h"
 
 #include <cstddef>
@@ -16,7 +17,10 @@ struct JobGroup {
   // What its looks have shown so far.
   std::map<std::size_t, JudgedTarget> judged_differences{};  // by target
   int looks = 0;
-  double seconds = 0;            // that its renders have taken
+  int spp = 0;                 // of the job with most
+  double seconds = 0;          // that its renders have taken
+  LookTime shorter_look = {};  // of the last two looks of different length
+  LookTime longer_look = {};
   double seconds_to_decide = 0;  // about; of the target that needs most
   bool is_begun = false;
   bool is_done = false;

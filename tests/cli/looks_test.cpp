@@ -32,7 +32,6 @@ TEST(Looks, ANoisyImageGetsTheSamplesThatDecideIt) {
   const auto [job, targets] = sandbox.job("out", "noisy");
   EXPECT_GE(job.identity.spp, 512);
   EXPECT_LE(job.identity.spp, 2048);
-  EXPECT_EQ(job.identity.spp, 16 << (job.sampling.looks - 1));
   EXPECT_EQ(job.sampling.end, "decided");
   ASSERT_EQ(targets.size(), 1U);
   ASSERT_EQ(targets[0].looks.size(), static_cast<std::size_t>(job.sampling.looks));
@@ -49,13 +48,13 @@ TEST(Looks, ANoisyImageGetsTheSamplesThatDecideIt) {
   EXPECT_NEAR(mean, 0.5, 0.004);
 }
 
-TEST(Looks, AWrongImageIsRefusedAtTheFirst) {
+// By its mean, which is certain when a few looks agree on what noise does to it.
+TEST(Looks, AWrongImageIsRefusedSoon) {
   const LooksSandbox sandbox;
   const auto answer = sandbox.orbs({"run", "-r", "noisy-dark", "-s", "grey", "-c", "m1*", "-o", "out"});
   EXPECT_EQ(answer.status, 1) << answer.text;
   const auto [job, targets] = sandbox.job("out", "noisy-dark");
-  EXPECT_EQ(job.sampling.looks, 1);
-  EXPECT_EQ(job.identity.spp, 16);
+  EXPECT_LE(job.sampling.looks, 5);
   EXPECT_EQ(targets.at(0).verdict, results::Verdict::Fail) << targets.at(0).reason;
 }
 

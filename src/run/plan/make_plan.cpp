@@ -81,7 +81,7 @@ std::size_t job_for(Plan& plan, const std::string& scene_name, std::size_t rende
   const auto scaled = [&](int spp) {
     return adapters::scaled_spp(spp, chosen.entry.sampling.spp_scale, plan.settings.spp_scale);
   };
-  job.first_spp = first_look_spp(plan, chosen.entry, scaled(scene.spp));
+  job.first_spp = first_look_spp(plan, chosen.entry);
   // What a smaller image needs more for its means, looks find out themselves.
   job.spp = job.first_spp > 0 ? scaled(scene.spp) : scaled(enough_spp(plan, scene, chosen.entry));
   job.id = job_id(plan, scene, chosen, job);

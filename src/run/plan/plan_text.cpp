@@ -51,11 +51,11 @@ std::string plan_text(const Plan& plan) {
     }
     if (!job.native_scene.empty()) text += fmt::format("    hand-written: {}\n", job.native_scene.string());
     auto first = job;
-    if (job.first_spp > 0) first.look = next_look(plan, job, 0);
+    if (job.first_spp > 0) first.look = first_look(plan, job);
     for (const auto& replica : replicas_of(plan, first, "OUTPUT"))
       text += fmt::format("    {}\n", shell_text(replica.argv));
     if (job.first_spp > 0)
-      text += fmt::format("    then as many samples again with other seeds, until its targets are decided\n");
+      text += fmt::format("    then more samples with other seeds, until its targets are decided\n");
   }
   for (const auto& target : plan.targets)
     if (!target.unsupported.empty())

@@ -28,7 +28,7 @@ bool is_relative_to_reference(const MetricInfo& metric) {
          metric.name.starts_with("layer") || metric.name == "shared_noise" ||
          metric.name.starts_with("block") || metric.name.starts_with("pixel") ||
          metric.name.starts_with("smallest") || metric.name.starts_with("window") ||
-         metric.name == "pattern_error";
+         metric.name == "line_error" || metric.name == "pattern_error";
 }
 
 }  // namespace
@@ -122,9 +122,9 @@ TEST(MetricsNumbers, MoreErrorIsWorseInEveryMetric) {
   const Comparison much = compare(noisy(0.2F), reference, {}, settings);
   for (const MetricInfo& metric : kMetrics) {
     // A signed number may lie on either side, and these are 0 for errors that look like noise.
-    static const std::set<std::string_view> kBeyondNoise{"local_bias",        "blocks_off",
-                                                         "window_error_8px",  "window_error_16px",
-                                                         "window_error_64px", "pattern_error"};
+    static const std::set<std::string_view> kBeyondNoise{
+        "local_bias",        "blocks_off", "window_error_8px", "window_error_16px",
+        "window_error_64px", "line_error", "pattern_error"};
     if (metric.better == Better::NearZero || kBeyondNoise.contains(metric.name)) continue;
     if (!value_of(little, metric.name)) continue;
     const bool grows = number(much, metric.name) > number(little, metric.name);

@@ -61,7 +61,7 @@ TEST(MetricsTable, AMetricIsFoundByNameAndAMisspeltOneIsAnswered) {
         e.what(),
         "there is no metric 'psnr_srgb' (did you mean 'psnr_srgb8'?); there are bias_squared, block_z_max, "
         "blocks_off, edge_blur, error_max, error_p95, error_p99, flip, flip_hdr_fixed, l1, l1_worst_tile, layer_error, layer_pixels, "
-        "local_bias, mean_ratio_b, mean_ratio_g, mean_ratio_r, mse, noise_squared, pattern_error, "
+        "line_error, local_bias, mean_ratio_b, mean_ratio_g, mean_ratio_r, mse, noise_squared, pattern_error, "
         "pixel_z_max, pixels_beyond_3, psnr_linear, psnr_pu21, psnr_srgb8, relmse_eps01, relmse_eps01_trimmed, shared_noise, "
         "smallest_error_16px, smallest_error_64px, smape, ssim, ssim_jeri, stokes_error, stokes_scale_error, window_error_16px, "
         "window_error_64px, window_error_8px");
