@@ -25,11 +25,6 @@ struct Header {
   std::map<std::string, std::string> attributes;  // those that are text and not empty
 };
 
-/// Channels that say how far the numbers that a pixel of a Radiance picture can hold lie from each other: its
-/// colours share one exponent, and have 8 bits each. Programs that write them cut off what does not fit, as
-/// Radiance's own does, or round, and no file says which.
-inline constexpr std::array kRgbeSteps{"rgbe_step.R", "rgbe_step.G", "rgbe_step.B"};
-
 /// What the file's header states, without decoding a pixel. InputError as read_image.
 Header read_header(const std::filesystem::path& file);
 

@@ -1,7 +1,6 @@
 #include "image/radiance.h"
 
 #include "base/error.h"
-#include "image/image_io.h"
 #include "image/radiance_header.h"
 
 #include <array>

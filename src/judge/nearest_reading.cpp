@@ -1,6 +1,6 @@
 #include "judge/nearest_reading.h"
 
-#include "image/image_io.h"
+#include "image/radiance.h"
 
 #include <algorithm>
 #include <array>
