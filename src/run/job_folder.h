@@ -11,9 +11,9 @@ namespace orbs::run {
 bool make_own_folder(const std::filesystem::path& within, const std::filesystem::path& folder);
 
 /// Prepares the folder of a render for the files that orbs writes there afterwards, whatever the renderer has
-/// left: removes what is no regular file under a name of ours (a folder called job.json), takes from its files the
-/// rights to act as another user (set-user-ID and such), and makes sure that the folder exists and can be
-/// written to. What make_own_folder returns. WriteError when the disk refuses.
+/// left: removes what is no regular file under a name of ours (a folder called job.json), takes from its
+/// files the rights to act as another user (set-user-ID and such), and makes sure that the folder exists and
+/// can be written to. What make_own_folder returns. WriteError when the disk refuses.
 bool make_room(const std::filesystem::path& within, const std::filesystem::path& folder);
 
 /// Removes all that is there under this name. InputError if something stays.
