@@ -48,7 +48,8 @@ namespace {
 std::string percent(double value) { return fmt::format("{:+.3g} %", 100 * value); }
 
 std::string one_side(double deviation) {
-  return fmt::format("{:.3g} % {}", 100 * std::fabs(deviation), deviation < 0 ? "darker" : "brighter");
+  const double side = std::max(deviation, -1.0);
+  return fmt::format("{:.3g} % {}", 100 * std::fabs(side), side < 0 ? "darker" : "brighter");
 }
 
 std::string ratios_text(const NoiseTest& test) {
@@ -90,10 +91,15 @@ std::string correlation_text(const Correlation& correlation) {
 
 std::string lightness_text(const Interval& deviation) {
   const auto& [value, low, high] = deviation;
+  // Nothing is darker by more than 100 %: what lacks more than all of its light is negative.
+  if (value < -1)
+    return fmt::format("of negative light, {:.3g} % of what is right ({:.3g} to {:.3g} %)", 100 * (1 + value),
+                       100 * (1 + low), 100 * (1 + high));
   if (low * high < 0) return fmt::format("{} ({} to {})", one_side(value), one_side(low), one_side(high));
+  const double most = std::max(std::fabs(low), std::fabs(high));
   return fmt::format("{} ({:.3g} to {:.3g} %)", one_side(value),
                      100 * std::min(std::fabs(low), std::fabs(high)),
-                     100 * std::max(std::fabs(low), std::fabs(high)));
+                     100 * (value < 0 ? std::min(most, 1.0) : most));
 }
 
 std::vector<std::string> bias_remarks(const NoiseTest& test) {

@@ -107,13 +107,13 @@ constexpr std::array kRows{
     Row{{"of more contrast", "of less contrast", kPercent, kNegligibleShare, kMostLight},
         [](const Site& s) { return minus(s.ring, all(1)); }},
     Row{{"brighter in its shadows", "darker in its shadows", kPercent, 2 * kNegligibleShare, 2 * kMostLight,
-         0, kAny},
+         0, kAny, "darker in its shadows, where most of the light is missing"},
         [](const Site& s) { return scaled(s.ring, or_zero(1 - 2 * s.luminance)); }},
     Row{{"brighter in its highlights", "darker in its highlights", kPercent, 2 * kNegligibleShare,
-         2 * kMostLight, 0, kAny},
+         2 * kMostLight, 0, kAny, "of negative light in its highlights"},
         [](const Site& s) { return scaled(s.ring, s.luminance > 2.0 ? all(1) : all(0)); }},
     Row{{"lifted in its black level", "lowered in its black level", kPercent, kNegligibleShare,
-         kMostLight / 2, 0, kAny},
+         kMostLight / 2, 0, kAny, "of negative light"},
         [](const Site&) {
           return Rgb{all(1), all(1), all(1)};
         }},
@@ -345,13 +345,15 @@ std::string describe(const PatternFinding& finding) {
     double scale;
   };
   constexpr std::array<Unit, 3> kUnits{{{"%", 100}, {"px", 1}, {"degrees", 180 / std::numbers::pi}}};
+  const bool can_be_all = !finding.pattern->beyond_all.empty() && finding.amplitude < 0;
+  if (can_be_all && finding.amplitude < -1) return std::string(finding.pattern->beyond_all);
   const auto& [name, scale] = kUnits.at(static_cast<std::size_t>(finding.pattern->unit));
   // Towards the side that is named; the interval can reach to the other one.
   const double side = finding.amplitude > 0 ? scale : -scale;
   const auto [low, high] = std::minmax({side * finding.low, side * finding.high});
   return fmt::format("{} by {:.3g} {} ({:.3g} to {:.3g})",
                      finding.amplitude > 0 ? finding.pattern->more : finding.pattern->less,
-                     side * finding.amplitude, name, low, high);
+                     side * finding.amplitude, name, low, can_be_all ? std::min(high, scale) : high);
 }
 
 }  // namespace orbs::metrics

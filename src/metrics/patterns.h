@@ -24,6 +24,9 @@ struct Pattern {
   /// Where `most` is 0: that amplitude which moves the middle of an edge of the image by so much.
   double most_at_edge_px = 0;
   double largest = 1;  // beyond it the pattern, a fault's first order, is no longer what the fault does
+  /// What the image is below an amplitude of -1, where `largest` allows that: a fit can take more than all of
+  /// the light, and nothing is darker by more than 100 %.
+  std::string_view beyond_all = "";
 };
 
 struct PatternFinding {

@@ -34,10 +34,7 @@ void check_seeds(const std::vector<image::Image>& colours) {
     if (colour.width != first.width || colour.height != first.height)
       throw InputError(fmt::format("renders of one scene differ in size: {} x {} px and {} x {} px",
                                    first.width, first.height, colour.width, colour.height));
-  if (are_equal(colours))
-    throw InputError(
-        "renders with different seeds are equal to the bit: the renderer ignores its seed, or the scene "
-        "has no noise");
+  if (are_equal(colours)) throw InputError(std::string(kEqualSeeds));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace orbs::metrics {
@@ -12,6 +13,10 @@ namespace orbs::metrics {
 /// Whether all images are bit-equal, as those of a renderer that ignores its seed or of a scene without
 /// noise.
 bool are_equal(const std::vector<image::Image>& images);
+
+/// What is said of a renderer whose renders with different seeds are.
+inline constexpr std::string_view kEqualSeeds =
+    "renders with different seeds are equal to the bit: the renderer ignores its seed, or the scene has no noise";
 
 /// The mean of the images in R, G, B. At least one, all of one size, is the caller's promise.
 image::Image mean_of(const std::vector<image::Image>& images);

@@ -135,6 +135,7 @@ struct JobSampling {
   /// Why there are no more: "decided", "edge", "reference", "budget", "looks"; "" while it goes on.
   std::string end;
   std::vector<LookApart> apart{};  // by look
+  bool has_equal_seeds = false;  // the two renders of the first look were equal to the bit: all at once, then
 };
 
 template <class Visitor, json::RecordOf<JobSampling> Record>
@@ -143,6 +144,7 @@ void fields(Visitor& visit, Record& sampling) {
   visit("most_looks", sampling.most_looks, {.range = {.min = 0}});
   visit("end", sampling.end);
   visit("apart", sampling.apart);
+  visit("equal_seeds", sampling.has_equal_seeds);
 }
 
 /// What rounding decides in the scene: it was rendered in single and in double precision, with few samples

@@ -96,6 +96,7 @@ Execution rendered_look(RenderSession& session, std::size_t index, const JobReco
     job.has_condition = false;
     execution = render_job(session, index, job);
     execution.record.condition = first.condition;
+    execution.record.sampling.has_equal_seeds = true;
     add_cost(first.cost, execution.record.cost);
     return execution;
   }
@@ -123,11 +124,21 @@ void continue_paths(const JudgedJob& before, JudgedJob& judged) {
   }
 }
 
+// First, since all that is said of noise and samples would mislead.
+void say_equal_seeds(JudgedJob& judged) {
+  if (!judged.job.sampling.has_equal_seeds) return;
+  for (auto& target : judged.targets)
+    if (!passes(target.verdict))
+      target.reason =
+          fmt::format("{}{}{}", metrics::kEqualSeeds, target.reason.empty() ? "" : "; ", target.reason);
+}
+
 JudgedJob judge_and_place(RenderSession& session,
                           std::size_t index,
                           const JudgedJob& before,
                           Execution execution) {
   auto judged = judge_job(session, index, std::move(execution));
+  say_equal_seeds(judged);
   continue_paths(before, judged);
   place_job(session, index, judged);
   return judged;

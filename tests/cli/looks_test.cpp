@@ -109,3 +109,14 @@ TEST(Looks, ARendererThatIgnoresItsSeedRendersAllSamplesAtOnce) {
   EXPECT_EQ(job.identity.spp, 8);
   EXPECT_TRUE(targets.at(0).looks.empty());
 }
+
+// The first thing to say of it, since all that is said of noise would mislead.
+TEST(Looks, EqualRendersAreSaidFirst) {
+  const LooksSandbox sandbox;
+  const auto answer = sandbox.orbs({"run", "-v", "-r", "dark", "-s", "grey", "-c", "m1*", "-o", "out"});
+  EXPECT_EQ(answer.status, 1) << answer.text;
+  const auto [job, targets] = sandbox.job("out", "dark");
+  EXPECT_TRUE(targets.at(0).reason.starts_with("renders with different seeds are equal to the bit"))
+      << targets.at(0).reason;
+  EXPECT_TRUE(job.sampling.has_equal_seeds);
+}

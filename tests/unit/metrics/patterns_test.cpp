@@ -2,6 +2,7 @@
 
 #include "base/random.h"
 #include "image/colour.h"
+#include "metrics/describe.h"
 
 #include <array>
 #include <cmath>
@@ -66,6 +67,21 @@ TEST(Patterns, AreSaidWithAnIntervalThatHoldsThem) {
       .more = "of a higher gamma", .less = "of a lower gamma", .negligible = 0.002, .largest = 0.3};
   EXPECT_EQ(describe({&gamma, 0.0107, -0.0325, 0.0538, 9}), "of a higher gamma by 1.07 % (-3.25 to 5.38)");
   EXPECT_EQ(describe({&gamma, -0.05, -0.06, -0.04, 9}), "of a lower gamma by 5 % (4 to 6)");
+}
+
+// A fit of the shadows took more than all of their light: "darker in its shadows by 133 %".
+TEST(Patterns, NothingIsDarkerByMoreThanAllOfItsLight) {
+  const orbs::metrics::Pattern shadows{
+      .more = "brighter in its shadows",
+      .less = "darker in its shadows",
+      .beyond_all = "darker in its shadows, where most of the light is missing"};
+  EXPECT_EQ(describe({&shadows, -1.33, -1.4, -1.2, 9}), shadows.beyond_all);
+  EXPECT_EQ(describe({&shadows, -0.95, -1.1, -0.8, 9}), "darker in its shadows by 95 % (80 to 100)");
+  EXPECT_EQ(describe({&shadows, 3.63, 3.5, 3.8, 9}), "brighter in its shadows by 363 % (350 to 380)");
+  using orbs::metrics::lightness_text;
+  EXPECT_EQ(lightness_text({-0.95, -1.1, -0.8}), "95 % darker (80 to 100 %)");
+  EXPECT_EQ(lightness_text({-1.33, -1.4, -1.2}), "of negative light, -33 % of what is right (-40 to -20 %)");
+  EXPECT_EQ(lightness_text({2, 1.9, 2.1}), "200 % brighter (190 to 210 %)");
 }
 
 // A pattern is the first order of its fault, and says nothing of errors that are far larger.
