@@ -195,8 +195,8 @@ judge::Look judge_target(const Plan& plan,
   auto reference = judge::load_reference(one_case, planned.target, plan.suite.references,
                                          plan.reference_hashes, folders.references);
   const auto read = reference.image ? judge::nearest_reading(given.image, *reference.image) : std::nullopt;
-  const JudgedImage image{read ? *read : given.image, given.halves, given.spp, given.first_guess,
-                          given.condition};
+  const JudgedImage image{read ? *read : given.image, given.halves, given.spp,
+                          given.first_guess,          given.apart,  given.condition};
   const auto judgement = judge::judge_image(one_case, image.image, reference,
                                             judge_settings(plan, planned, reference, image), record);
   auto look = judgement.look;
