@@ -69,7 +69,7 @@ TEST(Cases, TheGatesAreThoseOfAllCasesUnlessTheCaseOverridesThem) {
   const auto scene = R"([{"name": "1", "file": "1.json", "spp": 7}])";
   scratch.write("m2/case.json", case_text("", scene));
   const auto usual = load_case(scratch.path() / "m2" / "case.json");
-  ASSERT_EQ(usual.gates.size(), 10U);
+  ASSERT_EQ(usual.gates.size(), 11U);
   EXPECT_EQ(usual.gates[0].metric, "psnr_srgb8");
   EXPECT_EQ(usual.gates[0].min, 35);
   EXPECT_EQ(usual.gates[0].max, std::nullopt);
@@ -87,8 +87,8 @@ TEST(Cases, TheGatesAreThoseOfAllCasesUnlessTheCaseOverridesThem) {
   EXPECT_EQ(own.gates[4].metric, "local_bias");
   EXPECT_EQ(own.gates[4].max, 0.5);
   EXPECT_EQ(own.gates[4].reason, "r");
-  EXPECT_EQ(own.gates[10].metric, "flip");
-  EXPECT_TRUE(own.gates[10].place.ends_with("case.json:3")) << own.gates[6].place;
+  EXPECT_EQ(own.gates[11].metric, "flip");
+  EXPECT_TRUE(own.gates[11].place.ends_with("case.json:3")) << own.gates[6].place;
 }
 
 TEST(Cases, AGateHasALimitAReasonAndAMetricOfItsOwn) {

@@ -183,6 +183,7 @@ TEST(Qualify, HalfTheResolutionOfANoisyImageIsSeenByItsEdges) {
   drop_gates(lax, "edge_blur");
   drop_gates(lax, "local_bias");
   drop_gates(lax, "window_error");
+  drop_gates(lax, "line_error");
   drop_gates(lax, "pattern_error");
   EXPECT_FALSE(mutant(tried(lax, painted(1), painted(2)), "half resolution").rejected);
 }
