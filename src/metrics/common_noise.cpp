@@ -51,31 +51,31 @@ std::vector<double> difference_of(const PairSamples& samples, const std::array<i
   return difference;
 }
 
-// Over whole blocks of this side: the mean of the squares of their sums over their variances. The halves have
-// half of the samples each, so their difference has four times the variance of the mean.
+// Over whole blocks of this side: the squares of their sums over their variances, all blocks together, as the
+// mean of ratios would be made of blocks that hold rounding alone. The halves have half of the samples each,
+// so their difference has four times the variance of the mean.
 double inflation_of(const PairSamples& samples,
                     const std::vector<double>& difference,
                     std::size_t channel,
                     int side_px) {
   constexpr double kStandardErrors = 2;
-  double sum = 0;
-  double blocks = 0;
+  double squares = 0;
+  PooledVariance variance;
   for (int y = 0; y + side_px <= samples.height; y += side_px)
     for (int x = 0; x + side_px <= samples.width; x += side_px) {
       double apart = 0;
-      double variance = 0;
+      double of_block = 0;
       for_each_block_pixel(samples, {x, y, x + side_px, y + side_px}, [&](std::size_t pixel) {
         apart += difference[3 * pixel + channel];
-        variance += 4 * variance_at(samples.result_variance, 3 * pixel + channel);
+        of_block += 4 * variance_at(samples.result_variance, 3 * pixel + channel);
       });
-      if (!(variance > 0)) continue;
-      sum += apart * apart / variance;
-      ++blocks;
+      squares += apart * apart;
+      variance.add(of_block);
     }
-  if (blocks == 0) return 1;
-  // The square of a standard normal number has the variance 2.
-  const double inflation = sum / blocks;
-  return inflation > 1 + kStandardErrors * std::sqrt(2 / blocks) ? inflation : 1;
+  if (!(variance.sum > 0)) return 1;
+  // The square of a standard normal number has the variance 2; so many blocks carry the variance.
+  const double inflation = squares / variance.sum;
+  return inflation > 1 + kStandardErrors * std::sqrt(2 / variance.degrees()) ? inflation : 1;
 }
 
 }  // namespace

@@ -53,7 +53,11 @@ cat {0}/references/*.exr ../references/*.exr ../../references/*.exr > found 2> /
 test -n "$(find found -size +1k)" && say it reads references
 cat /proc/[0-9]*/root{0}/references/*.exr > found 2> /dev/null
 test -n "$(find found -size +1k)" && say it reads references through other processes
-grep -q orbs-test-key /proc/keys && say it sees keys of the session
+python3 -c '
+import ctypes, platform
+keyctl = dict(x86_64=250, aarch64=219)[platform.machine()]
+exit(ctypes.CDLL(None).syscall(keyctl, 10, -3, b"user", b"orbs-test-key", 0) < 0)  # KEYCTL_SEARCH in the session
+' && say it sees keys of the session
 test -s {0}/.git/HEAD && say it sees a repository
 test -s {0}/mine/copy.exr && say it sees a copy of a reference
 test -n "$(find {0} -name case.json -size +0)" && say it sees cases
