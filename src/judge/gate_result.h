@@ -16,6 +16,7 @@ struct Need {
       kNever;  // the same if the error is two standard errors nearer to, or farther from, the limit
   bool is_reference = false;  // no number of samples decides it, for the noise of the reference
   bool is_edge = false;       // the whole interval lies at 0.85 to 1.15 of the limit
+  bool awaits_looks = false;  // by its pixels it is missed: more looks are to tell what they have in common
 };
 
 struct GateResult {

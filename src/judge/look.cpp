@@ -47,6 +47,11 @@ Look look_at(const std::vector<GateResult>& results, const Looks& looks) {
     look.need.is_edge = first->need->is_edge;
   }
   look.gate = *first;
+  const bool awaits_looks = std::any_of(results.begin(), results.end(), [](const auto& result) {
+    return result.need && result.need->awaits_looks;
+  });
+  // It is about to be called wrong: what its other gates would need to pass is idle.
+  if (look.is_open && awaits_looks) look.need = {2, 1};
   return look;
 }
 

@@ -93,8 +93,10 @@ GateResult check_interval(const std::string& is, const Measurement& measurement,
   } else if (!metrics::is_within(to_pass.low, limits) || !metrics::is_within(to_pass.high, limits)) {
     result.verdict = Verdict::Inconclusive;
     result.need = need_of(measurement, limits);
-    if (to_pass.reach_to_fail > 0 && -distance_within(value, limits) > to_pass.reach_to_fail)
+    if (to_pass.reach_to_fail > 0 && -distance_within(value, limits) > to_pass.reach_to_fail) {
+      result.need->awaits_looks = true;
       result.reason += "; too few looks to tell what noise its pixels have in common";
+    }
   }
   return result;
 }

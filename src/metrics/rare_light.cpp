@@ -11,11 +11,13 @@ double unseen_light(double hit, const PooledVariance& noise, double probability)
 }
 
 double unseen_share(const PairSamples& samples, int spp) {
-  constexpr double kHit = 1e4;  // times the mean
+  constexpr double kOdds = 1e5;
+  constexpr double kMostShare = 0.1;
   const bool is_computed = std::all_of(samples.reference_variance.begin(), samples.reference_variance.end(),
                                        [](float variance) { return variance == 0; });
   if (spp == 0 || !is_computed || samples.noise_source == NoiseSource::Reference) return 0;
-  return -kHit * std::log(kWrongFails) / (static_cast<double>(samples.included_count) * spp);
+  const double all = static_cast<double>(samples.included_count) * spp;
+  return all < -kOdds * std::log(kWrongFails) ? kMostShare : 0;
 }
 
 double unseen_light(const PairSamples& samples,
