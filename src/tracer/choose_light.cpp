@@ -35,6 +35,9 @@ constexpr double kConnectionsWorthwhile = 0.3;
 // pixel on; below that the technique is taken that finds more light.
 constexpr double kFewestContributions = 0.25;
 
+// What finds half as much light again is kept however noisy it is: the other one has missed a caustic.
+constexpr double kMuchMoreLight = 1.5;
+
 double light_of(const Trial& trial) {
   double light = 0;
   for (const auto& image : trial.images)
@@ -103,8 +106,8 @@ RenderTime choose_light(World& world, const RenderSettings& settings, LightChoic
   if (!casters.empty())
     keep_if(casters, world.caustic_casters, [&](const Trial& with) {
       if (is_black(best)) return true;
-      return with.light_path_contributions < kFewestContributions ? light_of(with) > light_of(best)
-                                                                  : is_lower(with, kPathsWorthwhile);
+      if (with.light_path_contributions < kFewestContributions) return light_of(with) > light_of(best);
+      return is_lower(with, kPathsWorthwhile) || light_of(with) > kMuchMoreLight * light_of(best);
     });
   if (connects) {
     add(time, learn_light_guides(world, settings));
