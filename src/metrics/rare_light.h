@@ -34,11 +34,12 @@ double unseen_light(const PairSamples& samples,
                     std::size_t channel,
                     double probability);
 
-/// The share of its mean that an image may lack for want of hits, where it is compared with a reference that was
-/// computed: such a reference has no variance that could tell of light which the image has not met. Light that one
-/// sample in 100,000 brings is missed by N samples of all pixels together with the probability exp(-N / 100,000). As
-/// long as that is more than kWrongFails, below 830,000 samples, a tenth of the light may be such; from then on the
-/// image has met some of it, and knows its noise. 0 where the reference has noise, and for `spp` 0.
+/// The share of its mean that an image may lack for want of hits, where it is compared with a reference that
+/// was computed: such a reference has no variance that could tell of light which the image has not met. Light
+/// that one sample in 100,000 brings is missed by N samples of all pixels together with the probability
+/// exp(-N / 100,000). As long as that is more than kWrongFails, below 830,000 samples, a tenth of the light
+/// may be such; from then on the image has met some of it, and knows its noise. 0 where the reference has
+/// noise, and for `spp` 0.
 double unseen_share(const PairSamples& samples, int spp);
 
 }  // namespace orbs::metrics

@@ -51,7 +51,8 @@ TEST(KnownFailures, APassIsNews) {
   const auto answer = sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-s", "grey", "-o", "out"});
   EXPECT_EQ(answer.status, 1) << answer.text;
   EXPECT_TRUE(contains(answer.text, "inf unexpected pass")) << answer.text;
-  EXPECT_TRUE(contains(answer.text, "expects 'fail' (old fault): add \"version\" of those that fail")) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "expects 'fail' (old fault): add \"version\" of those that fail"))
+      << answer.text;
   EXPECT_TRUE(contains(sandbox.read("out/junit.xml"),
                        "<failure type=\"unexpected pass\" message=\"unexpected pass: "));
 }
