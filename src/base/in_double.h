@@ -50,6 +50,16 @@ Real atan2(Real y, Real x) {
 }
 
 template <std::floating_point Real>
+Real exp2(Real x) {
+  return detail::rounded([](double a) { return std::exp2(a); }, x);
+}
+
+template <std::floating_point Real>
+Real cbrt(Real x) {
+  return detail::rounded([](double a) { return std::cbrt(a); }, x);
+}
+
+template <std::floating_point Real>
 Real pow(Real x, Real exponent) {
   return detail::rounded([](double a, double b) { return std::pow(a, b); }, x, exponent);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/in_double.h"
 #include "metrics/flip_map.h"
 #include "metrics/metric.h"
 
@@ -53,7 +54,7 @@ inline MetricResult compute_flip(const ImagePair& pair) {
 inline MetricResult compute_hdr_flip(const ImagePair& pair) {
   std::vector<float> largest(pair.pixel_count(), 0.0F);
   for (const float stops : flip::kExposures_stops) {
-    const float factor = std::exp2(stops);
+    const float factor = in_double::exp2(stops);
     const auto shown = [factor](float value) { return flip::aces(std::max(0.0F, factor * value)); };
     const auto error = flip::error_map({pair.width, pair.height, pair.threads},
                                        flip::mapped(pair.result, shown), flip::mapped(pair.reference, shown));

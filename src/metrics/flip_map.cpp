@@ -1,5 +1,6 @@
 #include "metrics/flip_map.h"
 
+#include "base/in_double.h"
 #include "base/parallel.h"
 
 #include <algorithm>
@@ -45,7 +46,7 @@ std::array<Colour, 3> inverse_matrix() {
 
 float lab_curve(float t) {
   constexpr float kDelta = 6.0F / 29.0F;
-  return t > kDelta * kDelta * kDelta ? std::cbrt(t) : t / (3.0F * kDelta * kDelta) + 4.0F / 29.0F;
+  return t > kDelta * kDelta * kDelta ? in_double::cbrt(t) : t / (3.0F * kDelta * kDelta) + 4.0F / 29.0F;
 }
 
 float hyab(const Colour& a, const Colour& b) {
@@ -92,9 +93,9 @@ Colour to_hunt_lab(const Colour& xyz) {
 
 float colour_error(const Colour& a, const Colour& b) {
   static const float kMost =
-      std::pow(hyab(to_hunt_lab(to_xyz({0, 1, 0})), to_hunt_lab(to_xyz({0, 0, 1}))), kQc);
+      in_double::pow(hyab(to_hunt_lab(to_xyz({0, 1, 0})), to_hunt_lab(to_xyz({0, 0, 1}))), kQc);
   const float bend = kPc * kMost;
-  const float distance = std::pow(hyab(a, b), kQc);
+  const float distance = in_double::pow(hyab(a, b), kQc);
   if (distance < bend) return distance * kPt / bend;
   return kPt + (distance - bend) / (kMost - bend) * (1.0F - kPt);
 }
@@ -292,7 +293,7 @@ std::vector<float> error_map(const Grid& grid,
       const float feature = std::max(std::fabs(test_features.edge[i] - right_features.edge[i]),
                                      std::fabs(test_features.point[i] - right_features.point[i]));
       // Equation 8 with qf = 0.5: a square root.
-      error[i] = std::pow(colour, 1.0F - std::sqrt(feature / std::sqrt(2.0F)));
+      error[i] = in_double::pow(colour, 1.0F - std::sqrt(feature / std::sqrt(2.0F)));
     }
   });
   return error;

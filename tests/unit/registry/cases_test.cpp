@@ -82,7 +82,7 @@ TEST(Cases, TheGatesAreThoseOfAllCasesUnlessTheCaseOverridesThem) {
     {"metric": "flip", "max": 0.1, "reason": "s"}])",
                                           scene));
   const auto own = load_case(scratch.path() / "m2" / "case.json");
-  ASSERT_EQ(own.gates.size(), 11U);
+  ASSERT_EQ(own.gates.size(), 12U);
   EXPECT_EQ(own.gates[0].min, 35);
   EXPECT_EQ(own.gates[4].metric, "local_bias");
   EXPECT_EQ(own.gates[4].max, 0.5);
