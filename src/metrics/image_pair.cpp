@@ -40,6 +40,7 @@ ImagePair make_image_pair(const image::Image& result,
   static_cast<PairSamples&>(pair) = pair_samples(result, reference, mask, settings.result_noise);
   pair.threads = settings.threads;
   pair.looks = settings.looks;
+  pair.spp = settings.spp;
   count_samples(pair, settings.sample_ratio);
   pair.common_noise = common_noise_of(settings.apart);
   pair.unseen_share = unseen_share(pair, settings.spp);

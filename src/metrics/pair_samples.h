@@ -57,6 +57,7 @@ struct PairSamples {
   /// How often the image may be looked at while it gets samples, see docs/understand/verdicts.md: the looks
   /// share the false alarms of every test evenly (Bonferroni).
   int looks = 1;
+  int spp = 0;  // samples per pixel of the result; 0: not known
   CommonNoise common_noise = {};
   AreaNoise area_noise = {};
   /// How much light, as a share of the mean, the image may lack because no sample has found it, where the

@@ -1,16 +1,18 @@
 #include "metrics/surface_layers.h"
 
 #include "base/statistics.h"
+#include "metrics/coverage_edges.h"
 #include "metrics/describe.h"
 #include "metrics/image_pair.h"
 #include "metrics/layer_faults.h"
 #include "metrics/layer_samples.h"
+#include "metrics/layer_values.h"
+#include "metrics/layer_windows.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -21,31 +23,6 @@ namespace orbs::metrics {
 namespace {
 
 using image::LayerKind;
-
-constexpr double kHalfStep = 1.0 / 1024;  // of a half float, relative to its value
-// A few roundings of single precision, relative to the largest value of the layer: a zero among the parts of
-// a unit vector or of a position is seldom one to the last digit.
-constexpr double kRounding = 0x1p-20;
-
-// Calls visit(neighbour) for the pixel and those beside it.
-template <typename Visit>
-void for_each_neighbour(const PairSamples& samples, std::size_t pixel, Visit visit) {
-  const int width = samples.width;
-  const int x = static_cast<int>(pixel) % width;
-  const int y = static_cast<int>(pixel) / width;
-  for (int v = std::max(y - 1, 0); v <= std::min(y + 1, samples.height - 1); ++v)
-    for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u) visit(samples.pixel_at(u, v));
-}
-
-// The largest value of the layer in the reference, where a surface is; 1 for a coverage, and of zeros.
-double size_of(const ComparedLayer& of, const LayerSamples& layers) {
-  if (of.layer->kind != LayerKind::Mean) return 1;
-  double size = 0;
-  for (const auto& channel : of.channels)
-    for (std::size_t i = 0; i < channel.reference.size(); ++i)
-      if (layers.coverage[i] > 0) size = std::max(size, static_cast<double>(std::fabs(channel.reference[i])));
-  return size > 0 ? size : 1;
-}
 
 // What is found wrong in pixels: how far off they are, and the worst in words.
 struct PixelFindings {
@@ -67,40 +44,22 @@ void note(
   found.layer = &layer;
 }
 
-struct Range {
-  double least = std::numeric_limits<double>::infinity();
-  double most = -std::numeric_limits<double>::infinity();
-};
-
-Range range_beside(const PairSamples& samples,
-                   const LayerSamples& layers,
-                   const LayerChannel& channel,
-                   std::size_t pixel) {
-  Range range;
-  for_each_neighbour(samples, pixel, [&](std::size_t i) {
-    if (!(layers.coverage[i] > 0)) return;
-    range.least = std::min(range.least, static_cast<double>(channel.least[i]));
-    range.most = std::max(range.most, static_cast<double>(channel.most[i]));
-  });
-  return range;
-}
-
 // By how much the value lies beyond the range; infinity for what is no number.
-double beyond(double value, Range range, double size) {
+double beyond(double value, LayerRange range, double size) {
   if (!std::isfinite(value)) return std::numeric_limits<double>::infinity();
   const double tolerance =
-      kHalfStep * std::max(std::fabs(range.least), std::fabs(range.most)) + kRounding * size;
+      kHalfStep * std::max(std::fabs(range.least), std::fabs(range.most)) + kLayerRounding * size;
   return std::max({0.0, value - range.most - tolerance, range.least - value - tolerance});
 }
 
 void find_in_mean(const ImagePair& pair, const ComparedLayer& of, PixelFindings& found) {
   const auto& layers = *pair.layers;
-  const double size = size_of(of, layers);
+  const double size = layer_size(pair, of);
   for (const auto& channel : of.channels)
     for (std::size_t i = 0; i < pair.pixel_count(); ++i) {
       if (pair.included[i] == 0 || layers.coverage[i] < 1) continue;
       const double value = static_cast<double>(channel.result[i]);
-      const auto range = range_beside(pair, layers, channel, i);
+      const auto range = range_beside(pair, channel, i);
       if (const double by = beyond(value, range, size); by > 0)
         note(found, of, i, by / size,
              fmt::format("{} is {:.5g} where the scene has {:.5g} to {:.5g}", channel.name, value,
@@ -113,7 +72,7 @@ void find_in_coverage(const ImagePair& pair, const ComparedLayer& of, PixelFindi
   const auto& coverage = pair.layers->coverage;
   for (std::size_t i = 0; i < pair.pixel_count(); ++i) {
     if (pair.included[i] == 0) continue;
-    Range range;
+    LayerRange range;
     for_each_neighbour(pair, i, [&](std::size_t k) {
       range.least = std::min(range.least, static_cast<double>(coverage[k]));
       range.most = std::max(range.most, static_cast<double>(coverage[k]));
@@ -182,34 +141,46 @@ PixelFindings findings(const ImagePair& pair) {
   return found;
 }
 
-struct BlockError {
-  double off = 0;      // |difference of the means|
-  double certain = 0;  // less its reach
-};
+// The largest difference of the coverage's means over 8 x 8 px, less the reach of one sample a pixel.
+LayerWindow worst_coverage_block(const ImagePair& pair, const LayerChannel& channel, double quantile) {
+  LayerWindow worst;
+  for (const auto& block : blocks_of(pair)) {
+    double difference = 0;
+    double variance = 0;
+    double count = 0;
+    for_each_block_pixel(pair, block, [&](std::size_t i) {
+      const double covered = static_cast<double>(channel.reference[i]);
+      difference += static_cast<double>(channel.result[i]) - covered;
+      variance += covered * (1 - covered);
+      ++count;
+    });
+    const double left = std::isfinite(difference) ? std::fabs(difference) - quantile * std::sqrt(variance)
+                                                  : std::numeric_limits<double>::infinity();
+    if (count == 0 || !(left / count > worst.certain)) continue;
+    worst = {block,
+             fmt::format("the mean of {} over 8 x 8 px is off by {:.3g}", channel.name,
+                         std::fabs(difference) / count),
+             left / count};
+  }
+  return worst;
+}
 
-std::optional<BlockError> block_error(const ImagePair& pair,
-                                      const ComparedLayer& of,
-                                      const LayerChannel& channel,
-                                      const Rectangle& block,
-                                      double quantile) {
-  const auto& coverage = pair.layers->coverage;
-  const bool is_coverage = of.layer->kind == LayerKind::Coverage;
-  double difference = 0;
-  double variance = 0;
-  double count = 0;
-  for_each_block_pixel(pair, block, [&](std::size_t i) {
-    const double covered = static_cast<double>(coverage[i]);
-    if (!is_coverage && covered < 1) return;
-    difference += static_cast<double>(channel.result[i]) - static_cast<double>(channel.reference[i]);
-    const double range = static_cast<double>(channel.most[i]) - static_cast<double>(channel.least[i]);
-    variance += is_coverage ? covered * (1 - covered) : range * range / 4;
-    ++count;
-  });
-  if (count == 0) return std::nullopt;
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  if (!std::isfinite(difference)) return BlockError{kInfinity, kInfinity};
-  const double off = std::fabs(difference) / count;
-  return BlockError{off, std::max(0.0, off - quantile * std::sqrt(variance) / count)};
+LayerWindow worst_of_coverage(const ImagePair& pair, const LayerChannel& channel, double false_alarms) {
+  constexpr double kNormal = 1e9;  // degrees of freedom
+  auto worst = worst_coverage_block(pair, channel, student_quantile(false_alarms, kNormal));
+  const auto edges = coverage_edges(pair, channel, false_alarms);
+  if (!(edges.certain > worst.certain)) return worst;
+  const double samples = 1 / edges.error;
+  return {{0, 0, pair.width, pair.height},
+          fmt::format("{} is off at edges as one of {:.2g} samples a pixel is, or one whose edges are moved",
+                      channel.name, samples),
+          edges.certain};
+}
+
+double tests_of(const ImagePair& pair, const ComparedLayer& of) {
+  if (of.layer->kind == LayerKind::Id) return 0;
+  if (of.layer->kind == LayerKind::Mean) return window_tests(pair, of);
+  return static_cast<double>(blocks_of(pair).size()) + 1;
 }
 
 // "the layer 'depth' is along the ray and not along the axis: ", or nothing.
@@ -250,31 +221,22 @@ MetricResult compute_layer_pixels(const ImagePair& pair) {
 
 MetricResult compute_layer_error(const ImagePair& pair) {
   if (!pair.layers || !pair.layers->missing.empty()) return nothing_or_missing(pair);
-  constexpr double kNormal = 1e9;  // degrees of freedom
   constexpr double kFalseAlarm = 1e-4;
-  const auto blocks = blocks_of(pair);
-  double tests = static_cast<double>(pair.looks);
-  double channels = 0;
-  for (const auto& of : pair.layers->layers) channels += static_cast<double>(of.channels.size());
-  tests *= std::max(1.0, channels * static_cast<double>(blocks.size()));
-  const double quantile = student_quantile(kFalseAlarm / 2 / tests, kNormal);
-  MetricResult worst{.value = 0.0};
-  const ComparedLayer* layer = nullptr;
+  double tests = 0;
+  for (const auto& of : pair.layers->layers) tests += tests_of(pair, of);
+  const double of_one = kFalseAlarm / std::max(1.0, pair.looks * tests);
+  MetricResult result{.value = 0.0};
   for (const auto& of : pair.layers->layers) {
     if (of.layer->kind == LayerKind::Id) continue;
-    const double size = size_of(of, *pair.layers);
-    for (const auto& channel : of.channels)
-      for (const auto& block : blocks) {
-        const auto error = block_error(pair, of, channel, block, quantile);
-        if (!error || !(error->certain / size > *worst.value)) continue;
-        worst.value = error->certain / size;
-        worst.where = block;
-        layer = &of;
-        worst.what = fmt::format("the mean of {} over 8 x 8 px is off by {:.3g}", channel.name, error->off);
-      }
+    const auto worst = of.layer->kind == LayerKind::Mean
+                           ? worst_window(pair, of, of_one)
+                           : worst_of_coverage(pair, of.channels.front(), of_one);
+    if (!(worst.certain > *result.value)) continue;
+    result.value = worst.certain;
+    result.where = worst.where;
+    result.what = fault_text(pair, &of) + worst.what;
   }
-  worst.what = fault_text(pair, layer) + worst.what;
-  return worst;
+  return result;
 }
 
 std::string describe_layer_pixels(const Measurement& measurement, const Limits& limits) {
@@ -288,7 +250,7 @@ std::string describe_layer_error(const Measurement& measurement, const Limits& l
   if (!measurement.value) return absence_text(measurement);
   if (*measurement.value == 0) return "no mean of its layers of surfaces is off for certain";
   constexpr double kPercent = 100;
-  return fmt::format("{}, {:.3g} % of the layer's largest value or more for certain, {}", measurement.what,
+  return fmt::format("{}, by {:.3g} % or more for certain, {}", measurement.what,
                      kPercent * *measurement.value, limits_text(limits, kPercent, " %"));
 }
 

@@ -19,11 +19,11 @@ namespace orbs::metrics {
 /// number for one thing.
 MetricResult compute_layer_pixels(const ImagePair& pair);
 
-/// The largest difference of a layer's means over 8 x 8 px that is there for certain, relative to the layer's
-/// largest value in the reference. From it goes the reach of the noise of one sample a pixel, for which half
-/// of the range of what the pixel shows is a bound of the standard deviation (Popoviciu 1935); it leaves out
-/// a right image in one of 10,000 over all blocks and channels together. Half a pixel of shift is beyond it,
-/// and so is a depth along the ray. Numbers of things do not count.
+/// The largest relative difference of a layer's means that is there for certain, over windows of 8 px and
+/// more (layer_windows.h), or what is certain of the error of a coverage, in the mean of 8 x 8 px, or at its
+/// edges (coverage_edges.h). It calls a right image wrong in one of 10,000 over all windows, channels and
+/// looks together. Half a pixel of shift is beyond it, and so are a depth along the ray or one that is off by
+/// 1 %. Numbers of things do not count.
 MetricResult compute_layer_error(const ImagePair& pair);
 
 std::string describe_layer_pixels(const Measurement& measurement, const Limits& limits);
@@ -49,9 +49,11 @@ inline constexpr MetricInfo kLayerError{
     "layer_error",
     "1",
     Better::Lower,
-    "the largest |mean(result) - mean(reference)| of a channel of a layer of surfaces (AOV) over the unmasked and "
-    "covered pixels of a block of 8 x 8 px, less the reach of the noise of one sample a pixel, over the largest value "
-    "of the layer in the reference; albedos are linear Rec.709, all else plain numbers; no clamp",
+    "the largest |mean(result) - mean(reference)| of a channel of a layer of surfaces (AOV), or of the length of its "
+    "vectors, relative to what each pixel shows, over the unmasked and covered pixels of a square of 8, 16, 32, ... px, "
+    "less the reach of the samples' noise and place; of a coverage what is certain of the error of its means over "
+    "8 x 8 px, or of its edges in units of one sample a pixel; albedos are linear Rec.709, all else plain numbers; no "
+    "clamp",
     kNoMap,
     compute_layer_error,
     Computed::Always,
