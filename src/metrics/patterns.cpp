@@ -3,6 +3,7 @@
 #include "base/statistics.h"
 #include "image/colour.h"
 #include "metrics/amplitude.h"
+#include "metrics/edge_shift.h"
 
 #include <algorithm>
 #include <array>
@@ -318,6 +319,32 @@ std::optional<PatternFinding> finding_of(const Row& row,
                         .excess = certain / most_of(row.pattern, samples)};
 }
 
+// The blocks' scatter tells a shift only where many of them have edges. What is told by the edges alone
+// counts where it is larger for certain.
+void add_edge_shift(const PairSamples& samples, double probability, std::vector<PatternFinding>& findings) {
+  constexpr std::array kNames{"shifted to the left", "shifted up"};
+  const auto told = edge_shift(samples, probability);
+  for (std::size_t axis = 0; axis < kNames.size(); ++axis) {
+    const auto& shift = told.px.at(axis);
+    const double certain = std::fabs(shift.value) - (shift.high - shift.value);
+    const auto& row = *std::find_if(kRows.begin(), kRows.end(),
+                                    [&](const Row& one) { return one.pattern.more == kNames.at(axis); });
+    if (certain <= row.pattern.negligible) continue;
+    const PatternFinding finding{.pattern = &row.pattern,
+                                 .amplitude = shift.value,
+                                 .low = shift.low,
+                                 .high = shift.high,
+                                 .z = told.z.at(axis),
+                                 .excess = certain / most_of(row.pattern, samples)};
+    const auto known = std::find_if(findings.begin(), findings.end(),
+                                    [&](const auto& one) { return one.pattern == &row.pattern; });
+    if (known == findings.end())
+      findings.push_back(finding);
+    else if (known->excess < finding.excess)
+      *known = finding;
+  }
+}
+
 }  // namespace
 
 std::vector<PatternFinding> find_patterns(const PairSamples& samples, double false_alarms) {
@@ -331,6 +358,7 @@ std::vector<PatternFinding> find_patterns(const PairSamples& samples, double fal
     if (const auto finding =
             finding_of(kRows.at(i), amplitude_of_row(blocks, i), false_alarms / kRows.size(), samples))
       findings.push_back(*finding);
+  add_edge_shift(samples, false_alarms / kRows.size(), findings);
   std::stable_sort(findings.begin(), findings.end(), [](const auto& a, const auto& b) { return a.z > b.z; });
   return findings;
 }
