@@ -87,6 +87,14 @@ std::string correlation_text(const Correlation& correlation) {
       correlation.dx, correlation.dy, correlation.value);
 }
 
+std::string near_areas_text(const NearAreas& areas) {
+  return fmt::format(
+      "its means over {0} x {0} px are nearer to the reference than the noise of their pixels allows: the square of "
+      "their error is {1:.2g} of what independent pixels make, over {2} of them. Samples that depend on those of "
+      "other pixels do that, and so does a correction by the reference",
+      areas.side_px, areas.share, areas.count);
+}
+
 }  // namespace
 
 std::string lightness_text(const Interval& deviation) {
@@ -111,6 +119,7 @@ std::vector<std::string> bias_remarks(const NoiseTest& test) {
   if (test.blocks.off > 0) remarks.push_back(blocks_text(test.blocks));
   if (is_residual(test)) remarks.push_back(residual_text(*test.smooth));
   if (test.correlation) remarks.push_back(correlation_text(*test.correlation));
+  if (test.near_areas) remarks.push_back(near_areas_text(*test.near_areas));
   if (remarks.empty() && is_square_biased_beyond_edges(test)) remarks.push_back(squares_text(test));
   return remarks;
 }

@@ -13,6 +13,7 @@ namespace orbs::metrics {
 namespace {
 
 constexpr double kPerTest = kFalseAlarms / kTests;
+constexpr double kPerNearTest = 1e-6;  // what it says sounds like an accusation
 // Three tests of one side each, of the two sides of an interval.
 constexpr double kPerNoiseTest = kPerTest * 2 / 3;
 
@@ -291,6 +292,7 @@ NoiseTest test_noise(const PairSamples& samples) {
   test.line = line_error(samples);
   test.patterns = find_patterns(samples, per_test);
   test.correlation = strongest_correlation(samples, smooth, per_test);
+  test.near_areas = near_areas(samples, kPerNearTest / samples.looks);
   test.shared_noise = shared_noise(samples, smooth, kPerNoiseTest / samples.looks);
   if (test.source == NoiseSource::Variances) test.pixels = score_pixels(samples);
   return test;

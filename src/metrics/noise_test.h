@@ -5,6 +5,7 @@
 #include "metrics/block_scores.h"
 #include "metrics/line_error.h"
 #include "metrics/mask.h"
+#include "metrics/near_areas.h"
 #include "metrics/pair_samples.h"
 #include "metrics/patterns.h"
 #include "metrics/residual.h"
@@ -78,6 +79,7 @@ struct NoiseTest {
   std::vector<PatternFinding> patterns;
   std::optional<Correlation> correlation;
   std::optional<PixelScores> pixels;     // by the result's variances only
+  std::optional<NearAreas> near_areas;   // with a false alarm in a million images
   std::optional<Interval> shared_noise;  // share of the reference's own noise that the result holds
 };
 

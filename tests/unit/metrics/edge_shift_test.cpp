@@ -2,6 +2,7 @@
 #include "metrics/edge_shift.h"
 
 #include "metrics/image_pair.h"
+#include "metrics/patterns.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,6 +87,22 @@ TEST(EdgeShift, HalfAPixelIsFoundWithItsSide) {
       EXPECT_TRUE(is_beyond(in_y.px[1])) << in_y.px[1].low << " " << in_y.px[1].high;
       EXPECT_FALSE(is_beyond(in_y.px[0]));
     }
+  }
+}
+
+// The gate of patterns fails above an excess of 1.
+TEST(EdgeShift, HalfAPixelIsBeyondTheGateOfPatterns) {
+  constexpr double kOfAllPatterns = 1e-5;
+  for (const Light& light : {Light(ball), Light(dark_room)}) {
+    const auto samples = metrics::pair_samples(image_of(light, 0.5, 0), image_of(light, 0, 0), {},
+                                               metrics::ResultNoise::NoiseFree);
+    const auto findings = metrics::find_patterns(samples, kOfAllPatterns);
+    const auto shift = std::find_if(findings.begin(), findings.end(), [](const auto& one) {
+      return one.pattern->more == "shifted to the left";
+    });
+    ASSERT_NE(shift, findings.end());
+    EXPECT_GT(shift->excess, 1);
+    EXPECT_NE(metrics::describe(*shift).find("shifted to the left by"), std::string::npos);
   }
 }
 
