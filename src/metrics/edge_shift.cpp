@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace orbs::metrics {
@@ -13,7 +14,7 @@ namespace {
 constexpr int kMean_px = 2;  // of the mean that is taken off, to each side
 constexpr int kBrightest_px =
     3;  // of the brightest light beside a pixel, which covers what it is compared with
-constexpr int kBlock_px_of_edges = 4;
+constexpr std::size_t kBlock_px_of_edges = 4;
 
 // One channel of an image, less its mean over 5 x 5 px; 0 at the edge of the image.
 using Plane = std::vector<double>;
@@ -21,13 +22,15 @@ using Plane = std::vector<double>;
 // Sums over 2 n + 1 pixels along rows (step 1) or columns (step width).
 Plane sums_along(const Plane& plane, int width, int height, bool is_row) {
   Plane out(plane.size());
-  const int step = is_row ? 1 : width;
+  const std::ptrdiff_t step = is_row ? 1 : width;
   for (int y = is_row ? 0 : kMean_px; y < (is_row ? height : height - kMean_px); ++y)
     for (int x = is_row ? kMean_px : 0; x < (is_row ? width - kMean_px : width); ++x) {
-      const int at = y * width + x;
+      const std::size_t at =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+      const double* const middle = &plane[at];
       double sum = 0;
-      for (int i = -kMean_px; i <= kMean_px; ++i) sum += plane[static_cast<std::size_t>(at + i * step)];
-      out[static_cast<std::size_t>(at)] = sum;
+      for (int i = -kMean_px; i <= kMean_px; ++i) sum += middle[i * step];
+      out[at] = sum;
     }
   return out;
 }
@@ -53,10 +56,11 @@ Plane light_of(const PairSamples& samples) {
 }
 
 double brightest_beside(const Plane& light, int width, std::size_t pixel) {
+  const double* const middle = &light[pixel];
   double most = 0;
-  for (int v = -kBrightest_px; v <= kBrightest_px; ++v)
-    for (int u = -kBrightest_px; u <= kBrightest_px; ++u)
-      most = std::max(most, light[static_cast<std::size_t>(static_cast<int>(pixel) + v * width + u)]);
+  for (std::ptrdiff_t v = -kBrightest_px; v <= kBrightest_px; ++v)
+    for (std::ptrdiff_t u = -kBrightest_px; u <= kBrightest_px; ++u)
+      most = std::max(most, middle[v * width + u]);
   return most;
 }
 
@@ -160,13 +164,12 @@ ShiftVariances variances_of(const PairSamples& samples,
                             const Equations& equations,
                             const Vector& shift) {
   ShiftVariances variances;
-  const int columns = samples.width / kBlock_px_of_edges + 1;
-  const int rows = samples.height / kBlock_px_of_edges + 1;
-  std::vector<Vector> blocks(static_cast<std::size_t>(columns * rows));
+  const auto columns = static_cast<std::size_t>(samples.width) / kBlock_px_of_edges + 1;
+  const auto rows = static_cast<std::size_t>(samples.height) / kBlock_px_of_edges + 1;
+  std::vector<Vector> blocks(columns * rows);
   for_each_inner(samples, weights, [&](std::size_t pixel, double weight) {
-    const int x = static_cast<int>(pixel) % samples.width / kBlock_px_of_edges;
-    const int y = static_cast<int>(pixel) / samples.width / kBlock_px_of_edges;
-    auto& block = blocks[static_cast<std::size_t>(y * columns + x)];
+    const auto width = static_cast<std::size_t>(samples.width);
+    auto& block = blocks[pixel / width / kBlock_px_of_edges * columns + pixel % width / kBlock_px_of_edges];
     Vector noise{};  // of the pixel, whose channels have much of their noise in common
     for (std::size_t c = 0; c < 3; ++c) {
       const auto detail = detail_at(samples, details, c, pixel);
