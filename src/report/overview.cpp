@@ -181,6 +181,7 @@ RunInfo info_of(const RunView& view) {
           run.finished,
           view.is_live,
           run.load,
+          results::references_note(run),
           run.host};
 }
 

@@ -28,6 +28,7 @@ struct RunInfo {
   bool is_finished = false;
   bool is_live = false;
   double load = 0;
+  std::string references_note;  // which renderers could have read the references; "" if none could
   results::Host host;
 };
 
@@ -44,6 +45,7 @@ void fields(Visitor& visit, Record& run) {
   visit("finished", run.is_finished);
   visit("live", run.is_live);
   visit("load", run.load);
+  visit("references_note", run.references_note);
   visit.required("host", run.host);
 }
 

@@ -279,8 +279,9 @@ std::string summary_text(const RunRecord& run, const TableStyle& style) {
   for (const auto& lines : {verdict_lines(run, style), diagnosis_lines(run, style), remark_lines(run, style),
                             hidden_lines(run, style)})
     if (!lines.empty()) text += fmt::format("\n{}", lines);
-  for (const auto& lines : {history::variants_text(history::compare_variants(run)), probe_hints(run),
-                            explain_hint(run), size_note(run), run.interrupted ? interrupt_line(run) : ""}) {
+  for (const auto& lines :
+       {history::variants_text(history::compare_variants(run)), probe_hints(run), explain_hint(run),
+        size_note(run), results::references_note(run), run.interrupted ? interrupt_line(run) : ""}) {
     if (lines.empty()) continue;
     text += '\n';
     add_lines(lines);

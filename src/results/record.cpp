@@ -6,12 +6,25 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 namespace orbs::results {
 
 JobsById jobs_by_id(const RunRecord& run) {
   JobsById jobs;
   for (const auto& job : run.jobs) jobs.try_emplace(job.identity.id, &job);
   return jobs;
+}
+
+std::string references_note(const RunRecord& run) {
+  std::vector<std::string> names;
+  for (const auto& renderer : run.renderers)
+    if (renderer.could_read_references) names.push_back(renderer.name);
+  if (names.empty()) return "";
+  return fmt::format(
+      "The references were not hidden from {}, which could have made images from them: --sandbox hides them.",
+      fmt::join(names, ", "));
 }
 
 std::string command_of(const JobsById& jobs, const TargetRecord& target) {

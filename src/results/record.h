@@ -61,6 +61,7 @@ struct RendererRecord {
   std::map<std::string, int> counts;  // state name -> requirements
   double wall_seconds = 0;
   double cpu_seconds = 0;
+  bool could_read_references = false;  // no sandbox hid them; not said of orbs's own tracer
 };
 
 template <class Visitor, json::RecordOf<RendererRecord> Record>
@@ -74,6 +75,7 @@ void fields(Visitor& visit, Record& renderer) {
   visit("requirements_by_verdict", renderer.counts, {.range = {.min = 0}});
   visit("wall_seconds", renderer.wall_seconds);
   visit("cpu_seconds", renderer.cpu_seconds);
+  visit("could_read_references", renderer.could_read_references);
 }
 
 /// A renderer that the run could not use.
@@ -145,6 +147,10 @@ void fields(Visitor& visit, Record& run) {
 using JobsById = std::map<std::string, const JobRecord*>;
 
 JobsById jobs_by_id(const RunRecord& run);
+
+/// Which renderers could have read the references while they rendered, in one sentence; "" where a sandbox
+/// hid them from all.
+std::string references_note(const RunRecord& run);
 
 /// The shell commands of the renders that the target's image is made from, joined by " ; ".
 std::string command_of(const JobsById& jobs, const TargetRecord& target);

@@ -12,6 +12,7 @@
 #include "run/isolate.h"
 #include "run/job_folder.h"
 #include "run/other_images.h"
+#include "run/plan/choose_renderers.h"
 #include "run/plan/render_seconds.h"
 #include "run/prepare.h"
 #include "run/program_hash.h"
@@ -60,8 +61,7 @@ PreparedRender prepare_render(const ChosenRenderer& renderer,
   subject.settings.root = plan.root;
   subject.settings.build = plan.build;
   subject.settings.executable = renderer.executable;
-  std::error_code ignored;
-  subject.is_built_in = std::filesystem::equivalent(renderer.executable, plan.build / "orbs-tracer", ignored);
+  subject.is_built_in = is_built_in(plan, renderer);
   make_folder(folder);
   const auto job = adapters::make_job(renderer.entry, scene, subject.settings, folder);
   if (plan.settings.sandbox)

@@ -1,6 +1,7 @@
 #include "run/summary.h"
 
 #include "registry/features.h"
+#include "run/plan/choose_renderers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,6 +92,7 @@ void summarise(const Plan& plan, const std::vector<std::string>& versions, resul
     renderer.version = versions[i];
     renderer.executable = chosen.executable.string();
     renderer.declared = registry::format_features(chosen.entry.support.declares);
+    renderer.could_read_references = !plan.settings.sandbox && !is_built_in(plan, chosen);
   }
   summarise(record);
 }

@@ -10,6 +10,7 @@
 #include "registry/renderer_variants.h"
 
 #include <algorithm>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -99,6 +100,11 @@ void choose_renderers(const registry::Configuration& configuration, Plan& plan) 
     throw InputError(fmt::format(
         "no renderer is left: of those that '{}' chooses none is installed; 'orbs doctor' says more",
         plan.settings.renderers));
+}
+
+bool is_built_in(const Plan& plan, const ChosenRenderer& renderer) {
+  std::error_code ignored;
+  return std::filesystem::equivalent(renderer.executable, plan.build / "orbs-tracer", ignored);
 }
 
 void refuse_missing_programs(const Plan& plan) {

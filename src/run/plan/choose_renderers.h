@@ -22,6 +22,9 @@ std::optional<std::filesystem::path> installed_executable(const registry::Render
 /// named in full and not installed; one that only a pattern matches is left out instead.
 void choose_renderers(const registry::Configuration& configuration, Plan& plan);
 
+/// Whether it is orbs's own path tracer.
+bool is_built_in(const Plan& plan, const ChosenRenderer& renderer);
+
 /// InputError for a renderer on this machine whose command starts a program that is not there.
 void refuse_missing_programs(const Plan& plan);
 

@@ -105,6 +105,14 @@ TEST(Table, AnInterruptedRunAndRenderersLeftOutAreMentioned) {
   EXPECT_NE(text.find("The run was interrupted"), std::string::npos);
 }
 
+TEST(Table, RenderersThatCouldHaveReadTheReferencesAreNamed) {
+  auto run = small_run();
+  EXPECT_EQ(summary_text(run, {}).find("references were not hidden"), std::string::npos);
+  run.renderers[1].could_read_references = true;
+  EXPECT_NE(summary_text(run, {}).find("The references were not hidden from bb,"), std::string::npos);
+  EXPECT_EQ(summary_text(run, {}).find("hidden from a"), std::string::npos);
+}
+
 TEST(Table, WhatTheRunDidNotComeToIsCountedAndNotListed) {
   auto run = small_run();
   run.targets[2].verdict = Verdict::Skipped;

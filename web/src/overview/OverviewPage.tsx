@@ -64,6 +64,7 @@ export function OverviewPage({ session, route }: { session: Session; route: Rout
     <>
       <h1 class="unseen">Overview</h1>
       <ReportCards session={session} />
+      {overview.run.references_note && <p class="quiet">{overview.run.references_note}</p>}
       <Filters
         overview={overview}
         filter={filter}
