@@ -3,6 +3,7 @@
 #include "analytic/direct_light.h"
 #include "analytic/lens.h"
 #include "analytic/plastic.h"
+#include "analytic/polarised_planes.h"
 #include "analytic/ray.h"
 #include "analytic/reflectance.h"
 #include "analytic/textured_plane.h"
@@ -111,6 +112,11 @@ double mirror_corridor(const registry::MirrorCorridor& corridor, const Ray& ray)
   return std::pow(corridor.reflectance, std::floor((std::fabs(x) + 1) / 2));
 }
 
+// S0 is the same in all frames.
+Vec3d any_across(const Ray& ray) {
+  return std::fabs(ray.direction.x) < 0.5 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0};
+}
+
 struct RadianceOf {
   RadianceAlong operator()(const registry::ConstantImage& image) const {
     return [value = image.value](const Ray&) { return value; };
@@ -120,6 +126,9 @@ struct RadianceOf {
   }
   RadianceAlong operator()(const registry::FresnelPlane& image) const {
     return [image](const Ray& ray) { return fresnel_plane(image, ray); };
+  }
+  RadianceAlong operator()(const registry::PolarisedPlanes& image) const {
+    return [image](const Ray& ray) { return grey(polarised_planes(image, ray, any_across(ray)).front()); };
   }
   RadianceAlong operator()(const registry::AlbedoBall& image) const {
     return [image, albedo = AlbedoTable(image)](const Ray& ray) { return albedo_ball(image, albedo, ray); };
@@ -217,19 +226,53 @@ RadianceAt radiance_at(const registry::AnalyticImage& formula, const scene::Came
   };
 }
 
+// S0 + S_k, which is below zero nowhere: twice what a filter lets through.
+RadianceAt filtered_radiance_at(const registry::PolarisedPlanes& formula,
+                                const scene::Camera& camera,
+                                std::size_t k) {
+  if (std::holds_alternative<scene::LatitudeLongitude>(camera.projection))
+    throw InputError("the formula has one direction to the right, which this projection has not");
+  return [&formula, &camera, k, frame = scene::camera_frame(camera)](double x, double y) {
+    const auto [origin, direction] = scene::camera_ray(camera, frame, x, y);
+    const auto stokes = polarised_planes(formula, {origin, normalised(direction)}, frame.right);
+    return grey(stokes.front() + stokes.at(k));
+  };
+}
+
+void write_means(const PixelMean& mean, std::size_t first_channel, image::Image& image) {
+  for_each_index(image.height, 0, [&](int y) {
+    for (int x = 0; x < image.width; ++x) {
+      const auto value = mean({static_cast<double>(x), static_cast<double>(y), 1});
+      for (std::size_t c = 0; c < 3; ++c) image.at(x, y, first_channel + c) = static_cast<float>(value.at(c));
+    }
+  });
+}
+
+std::vector<std::string> channels_of(const registry::AnalyticImage& formula) {
+  std::vector<std::string> channels{"R", "G", "B"};
+  if (!std::holds_alternative<registry::PolarisedPlanes>(formula)) return channels;
+  for (const char* layer : {"S1.", "S2.", "S3."})
+    for (const char* colour : {"R", "G", "B"}) channels.push_back(std::string(layer) + colour);
+  return channels;
+}
+
 }  // namespace
 
 image::Image analytic_image(const registry::AnalyticImage& formula, const scene::Camera& camera) {
-  auto image = image::make_image(camera.width_px, camera.height_px, {"R", "G", "B"});
+  auto image = image::make_image(camera.width_px, camera.height_px, channels_of(formula));
   // Through a lens the rims of the blur cross most pixels: there the light begins as the power 3/2 of the
   // distance, which no rule of quadrature likes.
-  const PixelMean mean(radiance_at(formula, camera), scene::has_lens(camera) ? 1e-4 : 1e-5);
-  for_each_index(camera.height_px, 0, [&](int y) {
-    for (int x = 0; x < camera.width_px; ++x) {
-      const auto value = mean({static_cast<double>(x), static_cast<double>(y), 1});
-      for (std::size_t c = 0; c < 3; ++c) image.at(x, y, c) = static_cast<float>(value.at(c));
-    }
-  });
+  const double tolerance = scene::has_lens(camera) ? 1e-4 : 1e-5;
+  write_means(PixelMean(radiance_at(formula, camera), tolerance), 0, image);
+  const auto* polarised = std::get_if<registry::PolarisedPlanes>(&formula);
+  if (polarised == nullptr) return image;
+  for (std::size_t k = 1; k <= 3; ++k) {
+    write_means(PixelMean(filtered_radiance_at(*polarised, camera, k), tolerance), 3 * k, image);
+    for (std::size_t pixel = 0; pixel < image.pixel_count(); ++pixel)
+      for (std::size_t c = 0; c < 3; ++c)
+        image.pixels[image.channel_count() * pixel + 3 * k + c] -=
+            image.pixels[image.channel_count() * pixel + c];
+  }
   return image;
 }
 

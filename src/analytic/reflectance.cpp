@@ -116,13 +116,16 @@ double directional_albedo(const BrdfOfCosines& brdf, double cosine) {
   return sum;
 }
 
-double fresnel_reflectance(double cosine, double n, double k) {
+FresnelAmplitudes fresnel_amplitudes(double cosine, double n, double k) {
   const double sine_squared = (1 - cosine) * (1 + cosine);
   const std::complex<double> m(n, k);
   const auto q = std::sqrt(m * m - sine_squared);  // the principal root: total reflection has q = i |q|
-  const auto s = (cosine - q) / (cosine + q);
-  const auto p = (m * m * cosine - q) / (m * m * cosine + q);
-  return (std::norm(s) + std::norm(p)) / 2;
+  return {(cosine - q) / (cosine + q), (m * m * cosine - q) / (m * m * cosine + q)};
+}
+
+double fresnel_reflectance(double cosine, double n, double k) {
+  const auto amplitudes = fresnel_amplitudes(cosine, n, k);
+  return (std::norm(amplitudes.s) + std::norm(amplitudes.p)) / 2;
 }
 
 std::array<double, 3> fresnel_plane(const registry::FresnelPlane& image, const Ray& ray) {

@@ -4,6 +4,7 @@
 #include "registry/analytic.h"
 
 #include <array>
+#include <complex>
 #include <functional>
 #include <vector>
 
@@ -41,6 +42,15 @@ struct Quadrature {
   std::vector<double> weights;
 };
 Quadrature gauss_legendre(int count);
+
+/// Reflected over incident field, s across the plane of incidence and p in it, for fields that vary as
+/// exp(-i w t) and the relative index n + i k. p counts along the direction of the light cross s for both, so
+/// that p = -s along the normal (Born and Wolf, 1.5.2 and figure 1.10).
+struct FresnelAmplitudes {
+  std::complex<double> s;
+  std::complex<double> p;
+};
+FresnelAmplitudes fresnel_amplitudes(double cosine, double n, double k);
 
 /// Reflectance of unpolarised light at the cosine of the angle to the normal, by the relative index n + i k
 /// (Born and Wolf, 1.5.2 and 14.2); 1 where everything is reflected.

@@ -176,6 +176,18 @@ FresnelPlane load_fresnel_plane(ObjectReader& in) {
   return image;
 }
 
+PolarisedPlanes load_polarised_planes(ObjectReader& in) {
+  PolarisedPlanes image;
+  for (auto& entry : in.objects("planes")) {
+    image.planes.push_back({load_unit(entry, "normal"), entry.number("n", json::kPositive),
+                            entry.number_or("k", 0, json::kNotNegative)});
+    entry.finish();
+  }
+  if (image.planes.empty()) in.fail("planes", "must hold at least one plane");
+  image.radiance = in.number("radiance", json::kPositive);
+  return image;
+}
+
 // The quadrature of lobes that are narrower would need more nodes.
 constexpr json::Range kWideAlpha{0.1, 1};
 
@@ -249,11 +261,12 @@ TexturedPlane load_textured_plane(ObjectReader& in) {
 }
 
 AnalyticImage load_image(ObjectReader& in) {
-  const auto formula = in.one_of("formula", {"constant", "direct_light", "fresnel_plane", "albedo_ball",
-                                             "sky_ball", "mirror_corridor", "textured_plane"});
+  const auto formula = in.one_of("formula", {"constant", "direct_light", "fresnel_plane", "polarised_planes",
+                                             "albedo_ball", "sky_ball", "mirror_corridor", "textured_plane"});
   if (formula == "constant") return ConstantImage{three_numbers(in, "value", json::kNotNegative)};
   if (formula == "direct_light") return load_direct_light(in);
   if (formula == "fresnel_plane") return load_fresnel_plane(in);
+  if (formula == "polarised_planes") return load_polarised_planes(in);
   if (formula == "albedo_ball") return load_albedo_ball(in);
   if (formula == "sky_ball") return load_sky_ball(in);
   if (formula == "textured_plane") return load_textured_plane(in);

@@ -92,6 +92,19 @@ struct FresnelPlane {
   int plates = 0;  // 0: what one plane reflects; else what so many plates transmit
 };
 
+struct PolarisedPlane {
+  Vec3d normal;  // unit
+  double n = 1;  // n + i k of what is beyond, over that before
+  double k = 0;
+};
+
+/// Planes that each fill the view of the one before, the first that of the camera, and behind the last an
+/// even radiance that is not polarised. What enters a plane never comes back. The image has S1 to S3.
+struct PolarisedPlanes {
+  std::vector<PolarisedPlane> planes;
+  double radiance = 1;
+};
+
 /// The BRDFs of the scene format whose directional albedo is known, by its numbers.
 struct OrenNayarBrdf {
   double roughness = 0;
@@ -159,8 +172,14 @@ struct TexturedPlane {
   double radiance = 1;
 };
 
-using AnalyticImage = std::
-    variant<ConstantImage, DirectLight, FresnelPlane, AlbedoBall, SkyBall, MirrorCorridor, TexturedPlane>;
+using AnalyticImage = std::variant<ConstantImage,
+                                   DirectLight,
+                                   FresnelPlane,
+                                   PolarisedPlanes,
+                                   AlbedoBall,
+                                   SkyBall,
+                                   MirrorCorridor,
+                                   TexturedPlane>;
 
 /// A reference that follows from a formula.
 struct AnalyticReference {
