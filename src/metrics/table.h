@@ -11,6 +11,7 @@
 #include "metrics/ssim.h"
 #include "metrics/ssim_jeri.h"
 #include "metrics/stokes.h"
+#include "metrics/stokes_scale.h"
 #include "metrics/surface_layers.h"
 #include "metrics/window_numbers.h"
 #include "metrics/worst_tile.h"
@@ -50,7 +51,10 @@ inline constexpr std::array kMetrics{
     kPatternError,
     kEdgeBlur,
     kStokesError,
-    kStokesScaleError,
+    kStokesScale1,
+    kStokesScale2,
+    kStokesScale3,
+    kStokesTurn,
     kLayerPixels,
     kLayerError,
     kNoiseSquared,

@@ -180,6 +180,11 @@ TEST(MitsubaAppearance, StokesVectorsAreWrittenWhereBothFramesAgree) {
   EXPECT_EQ(tests::value_at(read.surfaces.at("material2").spectra.at("k"), 500), 2.78);
 }
 
+TEST(MitsubaAppearance, TheSceneOfCircularLightIsNarrowEnough) {
+  const auto read = exported("mitsuba", appearance_scene("e3_polarisation/circular_light")).read;
+  EXPECT_TRUE(read.has_stokes);
+}
+
 TEST(MitsubaAppearance, WhatMitsubaLacksIsRefusedWithTheReason) {
   const std::map<std::string, std::string> reasons{{"e4_fluorescence/fluorescent_sphere_D50_red", "needs E4"},
                                                    {"e5_iridescence/iridescent_spheres_film", "needs E5"},

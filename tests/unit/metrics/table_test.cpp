@@ -63,7 +63,7 @@ TEST(MetricsTable, AMetricIsFoundByNameAndAMisspeltOneIsAnswered) {
         "blocks_off, edge_blur, error_max, error_p95, error_p99, flip, flip_hdr_fixed, l1, l1_worst_tile, layer_error, layer_pixels, "
         "line_error, local_bias, mean_ratio_b, mean_ratio_g, mean_ratio_r, mse, noise_squared, pattern_error, "
         "pixel_z_max, pixels_beyond_3, psnr_linear, psnr_pu21, psnr_srgb8, relmse_eps01, relmse_eps01_trimmed, shared_noise, "
-        "smallest_error_16px, smallest_error_64px, smape, ssim, ssim_jeri, stokes_error, stokes_scale_error, window_error_16px, "
+        "smallest_error_16px, smallest_error_64px, smape, ssim, ssim_jeri, stokes_error, stokes_scale_s1, stokes_scale_s2, stokes_scale_s3, stokes_turn, window_error_16px, "
         "window_error_64px, window_error_8px");
   }
 }
