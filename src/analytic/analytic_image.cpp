@@ -239,16 +239,23 @@ RadianceAt filtered_radiance_at(const registry::PolarisedPlanes& formula,
   };
 }
 
-void write_means(const PixelMean& mean, std::size_t first_channel, image::Image& image) {
-  for_each_index(image.height, 0, [&](int y) {
-    for (int x = 0; x < image.width; ++x) {
-      const auto value = mean({static_cast<double>(x), static_cast<double>(y), 1});
-      for (std::size_t c = 0; c < 3; ++c) image.at(x, y, first_channel + c) = static_cast<float>(value.at(c));
-    }
+// Into the three channels from `first` on of each pixel's `channels`.
+void write_means(const PixelMean& mean,
+                 std::span<const std::array<int, 2>> pixels,
+                 std::size_t channels,
+                 std::size_t first,
+                 std::vector<float>& values) {
+  for_each_index(static_cast<int>(pixels.size()), 0, [&](int index) {
+    const auto i = static_cast<std::size_t>(index);
+    const auto [x, y] = pixels[i];
+    const auto value = mean({static_cast<double>(x), static_cast<double>(y), 1});
+    for (std::size_t c = 0; c < 3; ++c) values[channels * i + first + c] = static_cast<float>(value.at(c));
   });
 }
 
-std::vector<std::string> channels_of(const registry::AnalyticImage& formula) {
+}  // namespace
+
+std::vector<std::string> analytic_channels(const registry::AnalyticImage& formula) {
   std::vector<std::string> channels{"R", "G", "B"};
   if (!std::holds_alternative<registry::PolarisedPlanes>(formula)) return channels;
   for (const char* layer : {"S1.", "S2.", "S3."})
@@ -256,23 +263,33 @@ std::vector<std::string> channels_of(const registry::AnalyticImage& formula) {
   return channels;
 }
 
-}  // namespace
-
-image::Image analytic_image(const registry::AnalyticImage& formula, const scene::Camera& camera) {
-  auto image = image::make_image(camera.width_px, camera.height_px, channels_of(formula));
+std::vector<float> analytic_pixels(const registry::AnalyticImage& formula,
+                                   const scene::Camera& camera,
+                                   std::span<const std::array<int, 2>> pixels) {
+  const auto channels = analytic_channels(formula).size();
   // Through a lens the rims of the blur cross most pixels: there the light begins as the power 3/2 of the
   // distance, which no rule of quadrature likes.
   const double tolerance = scene::has_lens(camera) ? 1e-4 : 1e-5;
-  write_means(PixelMean(radiance_at(formula, camera), tolerance), 0, image);
+  std::vector<float> values(channels * pixels.size());
+  write_means(PixelMean(radiance_at(formula, camera), tolerance), pixels, channels, 0, values);
   const auto* polarised = std::get_if<registry::PolarisedPlanes>(&formula);
-  if (polarised == nullptr) return image;
+  if (polarised == nullptr) return values;
   for (std::size_t k = 1; k <= 3; ++k) {
-    write_means(PixelMean(filtered_radiance_at(*polarised, camera, k), tolerance), 3 * k, image);
-    for (std::size_t pixel = 0; pixel < image.pixel_count(); ++pixel)
-      for (std::size_t c = 0; c < 3; ++c)
-        image.pixels[image.channel_count() * pixel + 3 * k + c] -=
-            image.pixels[image.channel_count() * pixel + c];
+    write_means(PixelMean(filtered_radiance_at(*polarised, camera, k), tolerance), pixels, channels, 3 * k,
+                values);
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+      for (std::size_t c = 0; c < 3; ++c) values[channels * i + 3 * k + c] -= values[channels * i + c];
   }
+  return values;
+}
+
+image::Image analytic_image(const registry::AnalyticImage& formula, const scene::Camera& camera) {
+  auto image = image::make_image(camera.width_px, camera.height_px, analytic_channels(formula));
+  std::vector<std::array<int, 2>> pixels;
+  pixels.reserve(image.pixel_count());
+  for (int y = 0; y < camera.height_px; ++y)
+    for (int x = 0; x < camera.width_px; ++x) pixels.push_back({x, y});
+  image.pixels = analytic_pixels(formula, camera, pixels);
   return image;
 }
 
