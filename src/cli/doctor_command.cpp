@@ -123,7 +123,7 @@ void print_details(const Examined& found, const std::vector<ValuePlace>& places)
     add("needs", fmt::format("{} for {} light paths", word, transport));
   add("declares", registry::format_features(renderer.support.declares));
   for (const auto& limit : renderer.support.known_limits)
-    add("lacks", fmt::format("{}: {}", fmt::join(limit.requirements, ", "), limit.reason));
+    add("lacks", fmt::format("{}: {}", fmt::join(limit.requirements, ", "), registry::limit_text(limit)));
   add("entry", renderer.place);
   const auto& name = renderer.variant_of.empty() ? renderer.name : renderer.variant_of;
   for (const auto& [value, place] : places_under(places, fmt::format("renderers/{}/", name)))
@@ -157,7 +157,7 @@ void print_json(const registry::Configuration& configuration,
       out.begin_object()
           .member("requirements",
                   std::vector<std::string>(limit.requirements.begin(), limit.requirements.end()))
-          .member("reason", limit.reason)
+          .member("reason", registry::limit_text(limit))
           .end_object();
     out.end_array().end_object();
   }

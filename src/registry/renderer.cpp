@@ -234,11 +234,16 @@ std::vector<Renderer> renderers_of(ObjectReader& in, RendererEntry entry, const 
   return renderers;
 }
 
+std::string limit_text(const KnownLimit& limit) {
+  return is_absent(limit.version) ? limit.reason
+                                  : fmt::format("{} (version {})", limit.reason, to_text(limit.version));
+}
+
 std::optional<std::string> limit_reason(const Renderer& renderer, const std::string& requirement) {
   for (const auto& limit : renderer.support.known_limits)
     if (std::find(limit.requirements.begin(), limit.requirements.end(), requirement) !=
         limit.requirements.end())
-      return limit.reason;
+      return limit_text(limit);
   return std::nullopt;
 }
 

@@ -6,6 +6,7 @@
 #include "registry/image_size.h"
 #include "registry/limits.h"
 #include "registry/run_settings.h"
+#include "registry/version_range.h"
 
 #include <map>
 #include <optional>
@@ -154,12 +155,18 @@ void fields(Visitor& visit, Record& format) {
 struct KnownLimit {
   std::vector<std::string> requirements;
   std::string reason;
+  VersionRange version{};  // of which it was found
 };
 
 template <class Visitor, json::RecordOf<KnownLimit> Record>
 void fields(Visitor& visit, Record& limit) {
   visit.required("requirements", limit.requirements, {.help = "Requirements such as M7"});
   visit.required("reason", limit.reason, {.help = "Why it cannot meet them"});
+  visit(
+      "version", limit.version,
+      {.help =
+           "The versions of the renderer of which this is known, such as `>=3.4 <4`; it stands in the report",
+       .unset = "every version"});
 }
 
 /// What the renderer says that it can do.
@@ -379,6 +386,8 @@ void fields(Visitor& visit, Record& entry) {
 std::vector<Renderer> renderers_of(json::ObjectReader& in, RendererEntry entry, const ProcessLimits& limits);
 
 /// The reason that `renderer` gives for not meeting a requirement; nothing when it gives none.
+/// With the versions of which it is known, where the entry says them: "... (version <4)".
+std::string limit_text(const KnownLimit& limit);
 std::optional<std::string> limit_reason(const Renderer& renderer, const std::string& requirement);
 
 /// Whether two renders with other seeds differ, so that several of them are more samples.

@@ -5,7 +5,7 @@
 #include "base/text.h"
 #include "registry/cases.h"
 #include "registry/filters.h"
-#include "registry/seen_version.h"
+#include "registry/version_range.h"
 #include "results/least_change.h"
 #include "results/record.h"
 #include "run/accepted_number.h"

@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "registry/configuration.h"
-#include "registry/seen_version.h"
+#include "registry/version_range.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
