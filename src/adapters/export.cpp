@@ -141,7 +141,7 @@ Exporter neutral_exporter() {
           .settings = {},
           .limits = [](const scene::Scene&, const SceneSettings&) { return std::vector<std::string>{}; },
           .write = [](const scene::Scene& scene, const SceneSettings&,
-                      const std::filesystem::path& file) { scene::write_scene(scene, file); }};
+                      const std::filesystem::path& file) { scene::write_scene(scene, file, true); }};
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "adapters/transports.h"
 #include "base/error.h"
 #include "base/files.h"
+#include "scene/effects/switches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -153,6 +154,8 @@ Job make_job(const registry::Renderer& renderer,
                                 {"height", std::to_string(job.height_px)},
                                 {"trace_depth", std::to_string(scene.trace_depth)},
                                 {"transport", transport_word(renderer, scene)},
+                                {"effects", scene::switch_words(scene)},
+                                {"bounces", std::to_string(scene::bounces_that_matter(scene))},
                                 {"root", settings.root.string()},
                                 {"build", settings.build.string()}};
   // Those of all formats, because a renderer with hand-written scenes names no exporter.

@@ -50,9 +50,10 @@ Parts parts_of(std::string_view text) {
 }  // namespace
 
 const std::set<std::string>& argument_placeholders() {
-  static const std::set<std::string> kNames{
-      "executable", "scene",   "output",      "folder",    "spp",  "seed",  "threads", "width",
-      "height",     "aa_grid", "trace_depth", "transport", "root", "build", "layer",   "antialiasing"};
+  static const std::set<std::string> kNames{"executable",   "scene",     "output", "folder", "spp",
+                                            "seed",         "threads",   "width",  "height", "aa_grid",
+                                            "trace_depth",  "transport", "root",   "build",  "layer",
+                                            "antialiasing", "effects",   "bounces"};
   return kNames;
 }
 

@@ -124,6 +124,8 @@ struct SceneRecord {
   std::vector<EffectRecord> not_called_for;
   std::string features = {};  // feature number: the requirements that it calls for, in ORB.S notation
   std::vector<EffectCostRecord> effect_costs = {};  // from orbs effect-cost; empty if nobody has measured
+  std::vector<EffectRecord> switches = {};  // what a renderer can switch, "mirrors", and what calls for it
+  int bounces = 0;                          // that can matter; 0 where nothing reflects
 };
 
 template <class Visitor, json::RecordOf<SceneRecord> Record>
@@ -134,6 +136,8 @@ void fields(Visitor& visit, Record& scene) {
   visit("called_for", scene.called_for);
   visit("not_called_for", scene.not_called_for);
   visit("effect_costs", scene.effect_costs);
+  visit("switches", scene.switches);
+  visit("bounces", scene.bounces);
 }
 
 }  // namespace orbs::results

@@ -10,6 +10,7 @@
 #include "registry/placeholders.h"
 #include "scene/effects/effects.h"
 #include "scene/effects/features.h"
+#include "scene/effects/switches.h"
 #include "scene/load/load_scene.h"
 
 #include <algorithm>
@@ -45,8 +46,12 @@ std::string feature_number(const scene::Scene& scene) {
 
 results::SceneRecord scene_record(const std::string& name, const scene::Scene& scene) {
   const auto found = scene::effects(scene);
-  return {name, std::string(scene::transport_name(scene::transport(found))), records_of(found.called_for),
-          records_of(found.not_called_for), feature_number(scene)};
+  results::SceneRecord record{name, std::string(scene::transport_name(scene::transport(found))),
+                              records_of(found.called_for), records_of(found.not_called_for),
+                              feature_number(scene)};
+  for (const auto& one : scene::light_switches(scene)) record.switches.push_back({one.word, one.what, ""});
+  record.bounces = scene::bounces_that_matter(scene);
+  return record;
 }
 
 std::uint64_t scene_content_hash(const scene::Scene& scene, const std::filesystem::path& file) {

@@ -216,6 +216,8 @@ Scene load_document(const json::Document& document,
   in.one_of("format", {"orbs-scene/1"});
   Scene scene;
   scene.name = in.text("name");
+  // For renderers; it follows from the rest, so nothing is made of it here.
+  if (in.has("calls_for")) in.texts("calls_for");
   scene.camera = load_cameras(in, camera);
   SpectralData data{.folders = folders};
   for (auto& entry : in.objects_or_none("spectra")) load_spectrum(entry, data);

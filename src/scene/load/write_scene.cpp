@@ -2,6 +2,7 @@
 
 #include "base/files.h"
 #include "json/writer.h"
+#include "scene/effects/switches.h"
 #include "scene/geometry/ply.h"
 #include "scene/geometry/subdivision/entry.h"
 #include "scene/load/spectra.h"
@@ -157,9 +158,14 @@ void write_settings(Writer& out, const Scene& scene) {
 
 }  // namespace
 
-void write_scene(const Scene& scene, const std::filesystem::path& file) {
+void write_scene(const Scene& scene, const std::filesystem::path& file, bool says_calls) {
   Writer out;
   out.begin_object().member("format", "orbs-scene/1").member("name", scene.name);
+  if (says_calls) {
+    out.key("calls_for").begin_array();
+    for (const auto& one : light_switches(scene)) out.value(one.word);
+    out.end_array();
+  }
   write_camera(out, scene.camera);
   write_spectra(out, scene.spectra);
   write_environment(out, scene.spectra, scene.textures, scene.environment);

@@ -233,7 +233,7 @@ TEST(Configuration, UnknownPlaceholdersAreFoundBeforeAnythingStarts) {
       message_of(with_renderer(
           R"("name": "a", "executable": "a", "declares": "G1", "command": ["{executable}", "{scene}", "{out}", "{output}"])")),
       "configuration.json:3:106: /renderers/0/command/2: unknown placeholder {out} (did you mean "
-      "'root'?); known are: aa_grid, antialiasing, arguments, build, data, executable, folder, height, images, layer, output, plugin, root, scene, seed, spp, "
+      "'root'?); known are: aa_grid, antialiasing, arguments, bounces, build, data, effects, executable, folder, height, images, layer, output, plugin, root, scene, seed, spp, "
       "threads, trace_depth, transport, width");
 }
 
