@@ -4,6 +4,7 @@
 #include "cli/program.h"
 #include "cli/run/run_options.h"
 #include "run/plan/make_plan.h"
+#include "run/run_file.h"
 #include "studies/probe/probe.h"
 #include "studies/probe/report.h"
 
@@ -17,7 +18,7 @@ namespace {
 
 struct ProbeOptions {
   RunOptions run;
-  std::string output;
+  std::string output, keep;
   studies::ProbeSettings probe;
 };
 
@@ -33,6 +34,9 @@ void add_options(const command_line::Command& command, ProbeOptions& options) {
       .range(1, kMostThreads)
       .shows_default();
   command.add_option("-o,--output", options.output, "JSON file for all findings").not_empty("a file");
+  command.add_option("--keep", options.keep, "New folder for the scenes and images of all passes")
+      .value_name("FOLDER")
+      .not_empty("a folder");
 }
 
 std::ptrdiff_t count(const std::vector<studies::ProbeRecord>& records, studies::ProbeVerdict verdict) {
@@ -59,7 +63,9 @@ int probe(const command_line::Command& command,
   settings.size_divisor = registry::FullSize;  // a probe has its own size
   const auto plan = run::make_plan(configuration, settings, program.folder);
   const auto context = study_context(program, stdout);
-  const auto records = studies::run_probe(plan, options.probe, context);
+  auto probed = options.probe;
+  if (!options.keep.empty()) probed.keep = run::make_run_folder(options.keep);
+  const auto records = studies::run_probe(plan, probed, context);
   if (!options.output.empty()) write_file(options.output, studies::probe_json(records));
   if (is_stopped(context)) return kInterrupted;
   context.say(summary(records));

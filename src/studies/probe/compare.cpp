@@ -277,7 +277,8 @@ image::Image ratios_to_blue(const image::Image& image) {
 ProbeFindings compare_uv_pass(const ProbeScene& probe,
                               const std::vector<VisibleSurface>& surfaces,
                               const image::Image& image,
-                              Ramp ramp) {
+                              Ramp ramp,
+                              double step) {
   const int materials = static_cast<int>(probe.scene.materials.size());
   std::vector<UvPixel> compared;
   for_each_pixel(image, surfaces, [&](int x, int y, std::span<const VisibleSurface> here, const Rgb& colour) {
@@ -301,7 +302,8 @@ ProbeFindings compare_uv_pass(const ProbeScene& probe,
   }
   std::vector<Suspect> suspects;
   for (const auto& pixel : compared)
-    if (!is_within(pixel.colour[0], pixel.u, noise) || !is_within(pixel.colour[1], pixel.v, noise))
+    if (!is_within(pixel.colour[0], pixel.u, noise + step) ||
+        !is_within(pixel.colour[1], pixel.v, noise + step))
       suspects.push_back(
           {pixel.object, pixel.at,
            fmt::format("({:.3f}, {:.3f}) where it has ({:.3f}, {:.3f})", pixel.colour[0], pixel.colour[1],

@@ -57,10 +57,12 @@ image::Image ratios_to_blue(const image::Image& image);
 
 /// Compares the image of the uv pass. A pixel counts if its coordinates stay within one period of the ramp
 /// and change slowly enough that the texture filter does not matter.
-/// Of a reflecting pass, a pixel without light does not count.
+/// Of a reflecting pass, a pixel without light does not count. `step` is what the texture's own precision
+/// takes off its values.
 ProbeFindings compare_uv_pass(const ProbeScene& probe,
                               const std::vector<VisibleSurface>& surfaces,
                               const image::Image& image,
-                              Ramp ramp = Ramp::Emitted);
+                              Ramp ramp = Ramp::Emitted,
+                              double step = 0);
 
 }  // namespace orbs::studies

@@ -12,12 +12,17 @@
 #include "studies/probe/report.h"
 
 #include <algorithm>
+#include <optional>
+#include <string_view>
 
 #include <fmt/format.h>
 
 namespace orbs::studies {
 
 namespace {
+
+constexpr const char* kRampExr = "ramp.exr";
+constexpr const char* kRampPng = "ramp.png";
 
 struct ProbeInputs {
   const run::Plan& plan;
@@ -40,7 +45,8 @@ run::ChosenRenderer with_emission(run::ChosenRenderer renderer) {
 // known by two seeds alone. Nothing when stopped.
 std::optional<image::Image> render_with_noise(const ProbeInputs& inputs,
                                               const run::PreparedRender& subject,
-                                              Ramp ramp) {
+                                              Ramp ramp,
+                                              bool& has_equal_seeds) {
   std::vector<image::Image> replicas;
   const bool has_seed = registry::takes_seed(subject.renderer.entry.command);
   for (const int seed : {1, 2}) {
@@ -55,14 +61,32 @@ std::optional<image::Image> render_with_noise(const ProbeInputs& inputs,
     replicas.push_back(ramp == Ramp::Reflected ? ratios_to_blue(made->image) : made->image);
     if (!has_seed || image::channel_index(replicas.back(), "variance.R") >= 0) break;
   }
-  return replicas.size() == 1 || metrics::are_equal(replicas) ? replicas.front()
-                                                              : metrics::mean_and_variance_of(replicas);
+  has_equal_seeds = replicas.size() > 1 && metrics::are_equal(replicas);
+  return replicas.size() == 1 || has_equal_seeds ? replicas.front() : metrics::mean_and_variance_of(replicas);
+}
+
+// In one line: how it ended, and the last of what it said.
+std::string failure_text(const std::string& what) {
+  auto lines = split(what, '\n');
+  auto text = std::string(trim(lines.front()));
+  std::erase_if(lines, [](const auto& line) { return trim(line).empty(); });
+  return lines.size() < 2 ? text : fmt::format("{} {}", text, trim(lines.back()));
+}
+
+// Where a pass of a scene is rendered; of its own where all is kept.
+std::filesystem::path folder_of(const ProbeInputs& inputs,
+                                const scene::Scene& scene,
+                                const std::string& renderer,
+                                const std::string& pass) {
+  return inputs.settings.keep.empty() ? inputs.scratch / renderer
+                                      : inputs.scratch / scene.name / renderer / pass;
 }
 
 template <typename Compare>
 ProbeImage render_pass(const ProbeInputs& inputs,
                        const run::ChosenRenderer& renderer,
                        const scene::Scene& scene,
+                       const std::string& pass,
                        Ramp ramp,
                        Compare compare) {
   ProbeImage taken;
@@ -72,40 +96,58 @@ ProbeImage render_pass(const ProbeInputs& inputs,
     return taken;
   }
   try {
-    const auto folder = inputs.scratch / renderer.entry.name;
+    const auto folder = folder_of(inputs, scene, renderer.entry.name, pass);
     run::make_way(folder);
     const auto subject = run::prepare_render(renderer, inputs.plan, scene, folder);
-    const auto image = render_with_noise(inputs, subject, ramp);
+    const auto image = render_with_noise(inputs, subject, ramp, taken.has_equal_seeds);
     if (!image) {
       taken.no_image = "was stopped";
       return taken;
     }
     taken.findings = compare(*image);
   } catch (const InputError& e) {
-    taken.no_image = split(e.what(), '\n').front();
+    taken.no_image = failure_text(e.what());
   }
   return taken;
 }
 
 // By textured emission, or else by textures that reflect: many renderers have these alone.
-ProbeImage uv_pass(const ProbeInputs& inputs,
-                   const run::ChosenRenderer& renderer,
-                   const ProbeScene& probe,
-                   const std::vector<VisibleSurface>& surfaces,
-                   int uv_set) {
-  const auto file = inputs.scratch / "ramp.exr";
+ProbeImage uv_pass_of(const ProbeInputs& inputs,
+                      const run::ChosenRenderer& renderer,
+                      const ProbeScene& probe,
+                      const std::vector<VisibleSurface>& surfaces,
+                      int uv_set,
+                      const char* ramp_file) {
+  const auto file = inputs.scratch / ramp_file;
+  const double step = ramp_file == std::string_view(kRampPng) ? kStepOfPng : 0;
+  const auto pass = fmt::format("uv-{}-{}", uv_set + 1, ramp_file);
   const auto compared = [&](Ramp ramp) {
-    return [&, ramp](const image::Image& image) { return compare_uv_pass(probe, surfaces, image, ramp); };
+    return
+        [&, ramp](const image::Image& image) { return compare_uv_pass(probe, surfaces, image, ramp, step); };
   };
-  auto taken = render_pass(inputs, renderer, make_uv_pass(probe, file, uv_set), Ramp::Emitted,
+  auto taken = render_pass(inputs, renderer, make_uv_pass(probe, file, uv_set), pass, Ramp::Emitted,
                            compared(Ramp::Emitted));
   if (taken.unsupported.empty()) return taken;
-  taken = render_pass(inputs, renderer, make_reflecting_uv_pass(probe, file, uv_set), Ramp::Reflected,
+  taken = render_pass(inputs, renderer, make_reflecting_uv_pass(probe, file, uv_set), pass, Ramp::Reflected,
                       compared(Ramp::Reflected));
   if (taken.unsupported.empty() && taken.no_image.empty() && taken.findings.compared == 0)
     taken.unsupported =
         "its emission has no textures (M6), and no light of an environment reaches a textured pixel";
   return taken;
+}
+
+// Not every renderer reads a texture of floats. Eight bits are enough for what is compared.
+ProbeImage uv_pass(const ProbeInputs& inputs,
+                   const run::ChosenRenderer& renderer,
+                   const ProbeScene& probe,
+                   const std::vector<VisibleSurface>& surfaces,
+                   int uv_set) {
+  auto taken = uv_pass_of(inputs, renderer, probe, surfaces, uv_set, kRampExr);
+  if (taken.no_image.empty() || is_stopped(inputs.context)) return taken;
+  auto other = uv_pass_of(inputs, renderer, probe, surfaces, uv_set, kRampPng);
+  if (!other.no_image.empty()) return taken;
+  other.note = fmt::format("of a PNG; with an EXR {}", taken.no_image);
+  return other;
 }
 
 // Nothing is compared where no mesh has second coordinates, and for renderers that are not given them.
@@ -135,7 +177,7 @@ ProbeImage frames_pass(const ProbeInputs& inputs,
   if (!plain_scene) return {};
   image::Image plain;
   const auto first =
-      render_pass(inputs, renderer, *plain_scene, Ramp::Emitted, [&](const image::Image& image) {
+      render_pass(inputs, renderer, *plain_scene, "frames", Ramp::Emitted, [&](const image::Image& image) {
         plain = image;
         return ProbeFindings{};
       });
@@ -145,9 +187,10 @@ ProbeImage frames_pass(const ProbeInputs& inputs,
     const auto file = inputs.scratch / (lean == Lean::U ? "leaning-u.png" : "leaning-v.png");
     write_leaning_map(lean, file);
     const auto scene = make_frames_pass(probe, surfaces, file);
-    const auto one = render_pass(inputs, renderer, *scene, Ramp::Emitted, [&](const image::Image& image) {
-      return compare_frames(probe, surfaces, plain, image, lean);
-    });
+    const auto* const pass = lean == Lean::U ? "frames-u" : "frames-v";
+    const auto one = render_pass(
+        inputs, renderer, *scene, pass, Ramp::Emitted,
+        [&](const image::Image& image) { return compare_frames(probe, surfaces, plain, image, lean); });
     if (!one.unsupported.empty() || !one.no_image.empty()) return one;
     taken.findings.compared += one.findings.compared;
     if (taken.findings.mismatches.empty()) taken.findings.mismatches = one.findings.mismatches;
@@ -182,10 +225,11 @@ ProbeLayers layers_pass(const ProbeInputs& inputs,
   if (layers.empty()) return taken;
   auto scene = probe.scene;
   scene.outputs.layers = layers;
-  const auto made = render_pass(inputs, renderer, scene, Ramp::Emitted, [&](const image::Image& image) {
-    taken.findings = compare_layers(probe, surfaces, image, layers);
-    return ProbeFindings{};
-  });
+  const auto made =
+      render_pass(inputs, renderer, scene, "layers", Ramp::Emitted, [&](const image::Image& image) {
+        taken.findings = compare_layers(probe, surfaces, image, layers);
+        return ProbeFindings{};
+      });
   taken.no_image = made.no_image;
   if (taken.no_image.empty()) taken.layers = std::move(layers);
   return taken;
@@ -212,7 +256,7 @@ void probe_scene(const ProbeInputs& inputs,
       continue;
     }
     record.id_pass =
-        render_pass(inputs, renderer, probe.scene, Ramp::Emitted,
+        render_pass(inputs, renderer, probe.scene, "id", Ramp::Emitted,
                     [&](const image::Image& image) { return compare_id_pass(probe, surfaces, image); });
     if (record.id_pass.unsupported.empty()) {
       record.uv_pass = uv_pass(inputs, renderer, probe, surfaces, 0);
@@ -231,9 +275,11 @@ void probe_scene(const ProbeInputs& inputs,
 std::vector<ProbeRecord> run_probe(const run::Plan& plan,
                                    const ProbeSettings& settings,
                                    const StudyContext& context) {
-  const ScratchFolder scratch("orbs-probe");
-  write_ramp(scratch.path() / "ramp.exr");
-  const ProbeInputs inputs{plan, settings, context, scratch.path()};
+  std::optional<ScratchFolder> scratch;
+  if (settings.keep.empty()) scratch.emplace("orbs-probe");
+  const auto folder = scratch ? scratch->path() : settings.keep;
+  write_ramps(folder / kRampExr, folder / kRampPng);
+  const ProbeInputs inputs{plan, settings, context, folder};
   std::vector<ProbeRecord> records;
   for (const auto& scene : plan.scenes)
     if (!is_stopped(context)) probe_scene(inputs, scene, records);

@@ -5,6 +5,7 @@
 #include "studies/context.h"
 #include "studies/probe/report.h"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct ProbeSettings {
   int most_px = 128;  // longer side of an image
   int spp = 16;
   int threads = 2;
+  std::filesystem::path keep{};  // folder for all scenes and images; "": they are deleted
 };
 
 /// Probes each scene of the plan with each of its renderers, scene by scene. Returns what is complete if the

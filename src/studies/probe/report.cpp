@@ -3,6 +3,7 @@
 #include "base/nth.h"
 #include "base/two_digits.h"
 #include "json/writer.h"
+#include "metrics/seeds.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -45,6 +46,14 @@ std::string fault(const char* what, const ProbeRecord& record, const ProbeImage&
   return image.findings.mismatches.empty() ? "" : differs(what, record, image.findings);
 }
 
+// A texture can be what it cannot read: then its mapping of the scene is known all the same.
+std::string uv_fault_of(const ProbeRecord& record) {
+  const auto text = fault("texture coordinates differ", record, record.uv_pass);
+  if (record.uv_pass.no_image.empty()) return text;
+  return fmt::format("scene mapping is right in {} pixels, but with a texture, as EXR or PNG, {}",
+                     record.id_pass.findings.compared, text);
+}
+
 std::string layers_fault(const ProbeLayers& layers) {
   if (!layers.no_image.empty()) return layers.no_image;
   return layers.findings.fault.empty() ? "" : "layers differ: " + layers.findings.fault;
@@ -75,6 +84,8 @@ void put_image(json::Writer& out, const char* name, const ProbeRecord& record, c
   out.key(name).begin_object();
   if (!image.unsupported.empty()) out.member("unsupported", image.unsupported);
   if (!image.no_image.empty()) out.member("no_image", image.no_image);
+  if (!image.note.empty()) out.member("note", image.note);
+  if (image.has_equal_seeds) out.member("equal_seeds", true);
   out.member("compared_pixels", image.findings.compared).member("crack_pixels", image.findings.cracks);
   if (image.findings.needed_samples) out.member("times_the_samples_needed", *image.findings.needed_samples);
   out.key("mismatches").begin_array();
@@ -104,7 +115,7 @@ std::string probe_message(const ProbeRecord& record) {
   if (!record.id_pass.unsupported.empty()) return "not checked: " + record.id_pass.unsupported;
   const auto id_fault = fault("scene mapping differs", record, record.id_pass);
   if (!id_fault.empty()) return id_fault;
-  const auto uv_fault = fault("texture coordinates differ", record, record.uv_pass);
+  const auto uv_fault = uv_fault_of(record);
   if (!uv_fault.empty()) return uv_fault;
   const auto second_fault = fault("second texture coordinates differ", record, record.second_uv_pass);
   if (!second_fault.empty()) return second_fault;
@@ -114,11 +125,15 @@ std::string probe_message(const ProbeRecord& record) {
   for (const auto* image : {&record.id_pass, &record.uv_pass})
     if (const auto reason = undecided(*image); !reason.empty()) return "not checked: " + reason;
   const int cracks = record.id_pass.findings.cracks;
-  return fmt::format("ok, {} pixels{}, {}{}{}{}", record.id_pass.findings.compared,
+  const bool ignores_seed = record.id_pass.has_equal_seeds;
+  return fmt::format("{}ok, {} pixels{}, {}{}{}{}{}",
+                     ignores_seed ? fmt::format("{}; ", metrics::kEqualSeeds) : "",
+                     record.id_pass.findings.compared,
                      cracks == 0 ? "" : fmt::format(" ({} of them at cracks between triangles)", cracks),
                      record.uv_pass.unsupported.empty()
                          ? fmt::format("texture coordinates in {}", record.uv_pass.findings.compared)
                          : "texture coordinates not checked: " + record.uv_pass.unsupported,
+                     record.uv_pass.note.empty() ? "" : fmt::format(" ({})", record.uv_pass.note),
                      compared_text("second ones", record.second_uv_pass),
                      compared_text("frames of normal maps", record.frames), layers_text(record.layers));
 }

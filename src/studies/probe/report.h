@@ -15,6 +15,8 @@ struct ProbeImage {
   std::string unsupported;  // the reason why there is none; "" if there is one
   std::string no_image;     // how the renderer failed; "" if it did not
   ProbeFindings findings;
+  std::string note{};            // what a reader must know of how it came about; "" for nothing
+  bool has_equal_seeds = false;  // two seeds gave the same image
 };
 
 /// The pass of layers: of each layer by itself whether the renderer has it.

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/nth.h"
+#include "image/colour.h"
 #include "image/image_io.h"
 #include "scene/camera_frame.h"
 #include "scene/lower/geometry.h"
@@ -141,7 +142,7 @@ ProbeScene make_id_pass(const scene::Scene& original, int most_px) {
   return probe;
 }
 
-void write_ramp(const std::filesystem::path& file) {
+void write_ramps(const std::filesystem::path& exr, const std::filesystem::path& png) {
   auto image = image::make_image(kRampSize, kRampSize, {"R", "G", "B"});
   for (int y = 0; y < kRampSize; ++y)
     for (int x = 0; x < kRampSize; ++x) {
@@ -149,7 +150,8 @@ void write_ramp(const std::filesystem::path& file) {
       image.at(x, y, 1) = 1 - (static_cast<float>(y) + 0.5F) / kRampSize;
       image.at(x, y, 2) = 1;
     }
-  image::write_exr(image, file, image::Precision::Float, image::Compression::None);
+  image::write_exr(image, exr, image::Precision::Float, image::Compression::None);
+  image::write_png(image::display_image(image), png);
 }
 
 namespace {

@@ -36,8 +36,12 @@ ProbeScene make_id_pass(const scene::Scene& original, int most_px);
 inline constexpr int kRampSize = 256;
 
 /// Writes the ramp texture of kRampSize^2 texels. The colour of a texel is the coordinate of its centre:
-/// R = u, G = v, B = 1. An EXR of floats without compression: who writes a renderer reads it in a few lines.
-void write_ramp(const std::filesystem::path& file);
+/// R = u, G = v, B = 1. An EXR of floats without compression: who writes a renderer reads it in a few lines;
+/// and, for those that read no EXR, a PNG of 8 bits, encoded as sRGB.
+void write_ramps(const std::filesystem::path& exr, const std::filesystem::path& png);
+
+/// What 8 bits take off a value of the ramp at most: half the last step of sRGB's curve.
+inline constexpr double kStepOfPng = 0.0045;
 
 /// `probe` with all materials emitting the texture `ramp` instead of their ids: red is the fractional part of
 /// u, green that of v. Lights are black. At the second coordinates (uv_set 1), what has none of them is

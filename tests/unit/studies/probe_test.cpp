@@ -193,7 +193,7 @@ TEST(Probe, ExchangedTextureCoordinatesAreSeen) {
 TEST(Probe, TheRampIsAnExrWithoutCompression) {
   const ScratchFolder scratch("probe-ramp");
   const auto file = scratch.path() / "ramp.exr";
-  studies::write_ramp(file);
+  studies::write_ramps(file, file.parent_path() / "ramp-of-eight-bits.png");
   const auto text = read_file(file);
   constexpr std::size_t kLine = 8 + 3 * sizeof(float) * studies::kRampSize;  // its place and size, B, G and R
   ASSERT_GT(text.size(), kLine * studies::kRampSize);
