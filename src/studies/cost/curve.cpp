@@ -139,9 +139,9 @@ std::vector<const CostRender*> renders_of(const CostRecord& record,
   std::vector<const CostRender*> renders;
   for (const auto& render : record.renders)
     if (render.target == sweep.target && render.renderer == sweep.renderer && render.purpose == purpose &&
-        (setting.empty() || render.setting == setting) && !is_disturbed(render))
+        (setting.empty() || render.setting == setting))
       renders.push_back(&render);
-  return renders;
+  return that_count(std::move(renders));
 }
 
 double fixed_seconds(const CostCurve& curve) { return curve.fixed_cpu_seconds.value_or(Interval{}).value; }

@@ -158,7 +158,7 @@ void fields(Visitor& visit, Record& curve) {
 }
 
 /// The renders of a sweep that were made for `purpose`; of one setting where `setting` names one. Those that
-/// other work on the machine disturbed are left out.
+/// other work on the machine disturbed are left out where others are there.
 std::vector<const CostRender*> renders_of(const CostRecord& record,
                                           const Sweep& sweep,
                                           Purpose purpose,

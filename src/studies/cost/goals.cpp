@@ -153,8 +153,9 @@ std::string goals_markdown(const CostRecord& record, const std::string& ours, co
   const auto& load = numbers.other_load;
   text += load.unknown == load.renders
               ? "It did not measure what other work took of the machine.\n"
-              : fmt::format("Left out because of other work on the machine: {} of {} renders.\n",
-                            load.left_out, load.renders);
+              : fmt::format("Left out because of other work on the machine: {} of {} renders.{}\n",
+                            load.left_out, load.renders,
+                            load.marked == 0 ? "" : fmt::format(" Disturbed by it: {}.", load.marked));
   return fmt::format("{}\n{}", text, markdown_table(rows));
 }
 

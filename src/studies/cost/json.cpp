@@ -33,7 +33,8 @@ std::vector<results::Definition> cost_definitions() {
        "the part of render_seconds that trial renderings took, which choose algorithms; likewise"},
       {"other_share",
        "the share of the time of all processors that processes other than the render took while it went on, from "
-       "/proc/stat; a render with more than 0.05 is repeated up to twice, and then left out of every number"},
+       "/proc/stat; a render with more than 0.05 is repeated up to twice, and then left out of every number, or, where its setting has "
+       "no other, counts and is named as disturbed"},
       {"mean_ratios",
        "geometric mean over the scenes of the time of the second renderer over that of the first; the interval is "
        "Student's of the logarithms, by their scatter over the scenes; of one scene it is that of its seeds"},

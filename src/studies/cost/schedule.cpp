@@ -1,6 +1,7 @@
 #include "studies/cost/schedule.h"
 
 #include "studies/cost/curve.h"
+#include "studies/cost/other_load.h"
 #include "studies/cost/seeds.h"
 
 #include <algorithm>
@@ -116,11 +117,13 @@ bool has_fewer_seeds(const CostRecord& record, const Sweep& sweep, int made) {
 }  // namespace
 
 std::string unmeasured_text(const CostRecord& record, const Sweep& sweep) {
-  std::vector<std::string> missing, partly, left_out, parts;
+  std::vector<std::string> missing, partly, left_out, marked, parts;
   const int wanted = seeds_of(record, sweep);
   for (const auto& setting : sweep.settings) {
     const int made = made_of(record, sweep, setting);
-    const int kept = static_cast<int>(renders_of(record, sweep, Purpose::Sweep, setting.name).size());
+    const auto counted = renders_of(record, sweep, Purpose::Sweep, setting.name);
+    const int kept = static_cast<int>(counted.size());
+    if (!counted.empty() && is_disturbed(*counted.front())) marked.push_back(setting.name);
     if (made == 0) missing.push_back(setting.name);
     if (has_fewer_seeds(record, sweep, made))
       partly.push_back(fmt::format("{} of {} seeds of {}", wanted - made, wanted, setting.name));
@@ -131,6 +134,7 @@ std::string unmeasured_text(const CostRecord& record, const Sweep& sweep) {
   if (!missing.empty()) parts.push_back(fmt::format("not measured: {}", fmt::join(missing, ", ")));
   if (!left_out.empty())
     parts.push_back(fmt::format("left out because of other work: {}", fmt::join(left_out, ", ")));
+  if (!marked.empty()) parts.push_back(fmt::format("disturbed by other work: {}", fmt::join(marked, ", ")));
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 

@@ -51,12 +51,25 @@ struct Progress {
   Clock::time_point begin = Clock::now();
   Clock::time_point stored = Clock::now();
   std::set<std::size_t> failed = {};  // sweeps that have ended
+  bool is_warned = false;             // that the machine is in use
+  bool is_in_use = false;             // the last render was disturbed, and so were its repeats
 
   double seconds() const { return std::chrono::duration<double>(Clock::now() - begin).count(); }
 };
 
 void store(const CostMeasurement& study) {
   write_file(study.request.folder / results::kCost.file, cost_json(study.record));
+}
+
+// Said at the first render that is disturbed, which is soon after the pilot, and not when all is over.
+void note_other_work(Progress& progress, const CostRender& made) {
+  progress.is_in_use = is_disturbed(made);
+  if (!progress.is_in_use || progress.is_warned) return;
+  progress.is_warned = true;
+  progress.study.context.say(fmt::format(
+      "warning: other work takes {:.0f} % of this machine: times are marked as disturbed. Ctrl-C ends the study; "
+      "--resume makes what was disturbed once more on an idle machine",
+      100 * made.other_share.value_or(0)));
 }
 
 // False when the user interrupts.
@@ -66,17 +79,21 @@ bool do_task(Progress& progress, const CostTask& task) {
   auto& sweep = record.sweeps[task.sweep];
   if (progress.failed.contains(task.sweep) || is_done(record, task.render)) return true;
   try {
-    const auto made = undisturbed_render([&] {
-      return measured_render(study, task.render, task.is_first ? std::optional(task.setting) : std::nullopt);
-    });
+    const auto made = undisturbed_render(
+        [&] {
+          return measured_render(study, task.render,
+                                 task.is_first ? std::optional(task.setting) : std::nullopt);
+        },
+        progress.is_in_use ? 0 : kMostRepeats);
     if (!made) return false;
+    note_other_work(progress, *made);
     keep(record, *made);
     study.context.say(
         fmt::format("{:6.0f} s  {:<10} {:<18} {:<14} {:>8}  {:7.2f} s{}", progress.seconds(),
                     record.renderers[sweep.renderer].name, record.targets[sweep.target].name,
                     task.render.purpose == Purpose::FixedCost ? "fixed cost" : task.render.setting,
                     made->psnr_srgb8 ? fmt::format("{:.2f} dB", *made->psnr_srgb8) : "", made->cpu_seconds,
-                    is_disturbed(*made) ? fmt::format("  left out: others took {:.0f} % of the machine",
+                    is_disturbed(*made) ? fmt::format("  disturbed: others took {:.0f} % of the machine",
                                                       100 * made->other_share.value_or(0))
                                         : ""));
   } catch (const InputError& e) {

@@ -2,6 +2,7 @@
 
 #include "studies/cost/numbers.h"
 #include "studies/cost/report.h"
+#include "studies/cost/schedule.h"
 
 #include <gtest/gtest.h>
 
@@ -36,6 +37,32 @@ TEST(OtherLoad, ARenderThatStaysDisturbedIsRepeatedTwiceAndLeftOut) {
   ASSERT_TRUE(made);
   EXPECT_EQ(made->repeats, 2);
   EXPECT_TRUE(is_disturbed(*made));
+}
+
+// On a machine in use all 24 of 24 renders were left out, after 102 s without a word.
+TEST(OtherLoad, WhereEveryRenderIsDisturbedTheyCountAndAreNamed) {
+  CostRecord record;
+  record.is_finished = true;
+  record.targets.push_back({"t", "M1", "", 8, 8, "", {}});
+  record.renderers.push_back({"r", "1", SweepOf::Samples, ""});
+  record.sweeps.push_back({0, 0, {{"4 spp", 4}}, "", ""});
+  for (const double share : {0.4, 0.5})
+    record.renders.push_back(
+        {.setting = "4 spp", .spp = 4, .cpu_seconds = 1, .other_share = share, .relmse = 1});
+  const auto numbers = cost_numbers(record);
+  EXPECT_EQ(numbers.curves.at(0).points.at(0).renders, 2);
+  EXPECT_EQ(numbers.other_load.left_out, 0);
+  EXPECT_EQ(numbers.other_load.marked, 2);
+  EXPECT_NE(other_load_text(numbers.other_load).find("2 renders count although others took as much"),
+            std::string::npos);
+  EXPECT_EQ(unmeasured_text(record, record.sweeps[0]), "disturbed by other work: 4 spp");
+}
+
+TEST(OtherLoad, OnAMachineThatStaysInUseNothingIsRepeated) {
+  int attempts = 0;
+  const auto made = undisturbed_render(renderer_beside({0.4, 0.3}, attempts), 0);
+  EXPECT_EQ(attempts, 1);
+  EXPECT_TRUE(made && is_disturbed(*made));
 }
 
 TEST(OtherLoad, WhatIsLeftOutIsInNoNumberAndIsCounted) {

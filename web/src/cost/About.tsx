@@ -28,7 +28,8 @@ function otherLoadText({ other_load: load }: CostStudy): string {
   const left =
     `${load.left_out} of ${load.renders} renders left out, since others took more than 5 % of the ` +
     `machine; ${load.repeats} repeats`;
-  return load.unknown > 0 ? `${left}; not known of ${load.unknown} renders` : left;
+  const marked = load.marked > 0 ? `; ${load.marked} count although disturbed` : "";
+  return left + marked + (load.unknown > 0 ? `; not known of ${load.unknown} renders` : "");
 }
 
 // Many programs begin their version with their name.

@@ -26,7 +26,13 @@ export function completed(study: CostStudy): CostStudy {
   return {
     ...study,
     mean_ratios: older.mean_ratios ?? [],
-    other_load: older.other_load ?? { renders, repeats: 0, left_out: 0, unknown: renders },
+    other_load: older.other_load ?? {
+      renders,
+      repeats: 0,
+      left_out: 0,
+      marked: 0,
+      unknown: renders,
+    },
     self_comparison: completedSelf(study.self_comparison),
   };
 }
