@@ -32,11 +32,11 @@ def worst_verdict(targets):
     return next((verdict for verdict in [*sorted(others), "inconclusive", "unsupported"] if verdict in verdicts), "pass")
 
 
-def judged_psnr(target):
-    """In dB, without the noise where the verdict rests on that; nothing where it was not measured."""
+def psnr_of(target):
+    """The image's own, in dB; nothing where it was not measured."""
     found = [math.inf if measure.get("infinite") else measure["value"] for measure in target["measures"]
-             if measure["name"] in ("psnr_srgb8", "psnr_without_noise")]
-    return max(found, default=None)
+             if measure["name"] == "psnr_srgb8"]
+    return next(iter(found), None)
 
 
 def decibels_text(decibels):
@@ -71,7 +71,7 @@ def rows_with_scenes(runs):
             all_targets = [target for key, target in targets.items() if key[:2] == (renderer, code)]
             given = [target for target in all_targets if target["verdict"] != "unsupported"]
             verdict = worst_verdict(given) if given else "unsupported"
-            found = [psnr for target in given if (psnr := judged_psnr(target)) is not None]
+            found = [psnr for target in given if (psnr := psnr_of(target)) is not None]
             counts = [sum(counted_as(target["verdict"]) == word for target in all_targets) for word in COUNTED]
             yield [renderer, version, "", "", code, title, verdict, decibels_text(min(found, default=None)), *counts]
 

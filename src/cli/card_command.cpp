@@ -50,6 +50,7 @@ bool add_verdict(const fs::path& folder, const std::string& renderer, Rows& rows
     for (const auto& group : card.groups)
       add_row("", fmt::format("{} {}: {}", group.targets.size(), group.state, group.what), "", rows);
     if (card.cost) add_row("cost?", card.cost->sentence, name, rows);
+    if (!card.clock.empty()) add_row(card.cost ? "" : "cost?", card.clock, name, rows);
     return true;
   }
   return false;

@@ -210,6 +210,12 @@ double widening_of(const metrics::ImagePair& pair) {
   return widening;
 }
 
+// Where the noise happened to take more off the product than the error adds, no number can be said.
+std::string above_without_noise(double low_db) {
+  return std::isinf(low_db) ? "no error is seen without its noise"
+                            : fmt::format("without noise above {:.1f} dB", low_db);
+}
+
 GateResult check_psnr(const std::string& is,
                       const Measurement& measurement,
                       double least_db,
@@ -236,11 +242,14 @@ GateResult check_psnr(const std::string& is,
   // The number that the verdict rests on leads: 34.6 dB beside a pass would look like a mistake.
   if (is_psnr_met(test)) {
     result.reason =
-        fmt::format("psnr_srgb8 is above {:.1f} dB without noise, at least {} is needed; {:.2f} dB with it",
-                    low_db, least_db, *measurement.value);
+        std::isinf(low_db)
+            ? fmt::format("{}; {}", is, above_without_noise(low_db))
+            : fmt::format(
+                  "psnr_srgb8 is above {:.1f} dB without noise, at least {} is needed; {:.2f} dB with it",
+                  low_db, least_db, *measurement.value);
     return result;
   }
-  result.reason = fmt::format("{}; without noise above {:.1f} dB", is, low_db);
+  result.reason = fmt::format("{}; {}", is, above_without_noise(low_db));
   result.verdict = Verdict::Inconclusive;
   result.need = need_of(test);
   return result;

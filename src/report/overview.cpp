@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "json/field_writer.h"
 #include "json/writer.h"
+#include "report/table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -117,14 +118,9 @@ void add_cost(const TargetRecord& target,
   cells.spp.push_back(spp);
 }
 
-// What the verdict rests on, as in the terminal: a PSNR of 34.6 dB beside a pass would look like a mistake.
-double shown_value(const TargetRecord& target, const results::Measure& measure) {
-  return measure.name == "psnr_srgb8" ? judged_psnr_db(target).value_or(measure.value) : measure.value;
-}
-
 void add_measures(const TargetRecord& target, std::size_t index, Overview& overview) {
   for (const auto& measure : target.measures) {
-    const double value = shown_value(target, measure);
+    const double value = measure.value;
     auto& column = overview.measures[measure.name];
     if (column.empty())
       overview.metrics.push_back(
@@ -142,6 +138,8 @@ void add_cells(const RunView& view, Overview& overview, Names& cases, Names& ren
   Names targets{overview.targets};
   Names reasons{overview.reasons};
   Names machines{overview.machines};
+  Names texts_beside{overview.texts_beside_psnr};
+  texts_beside.of("");  // most cells have none
   std::map<std::string, std::size_t> jobs;
   for (std::size_t i = 0; i < run.jobs.size(); ++i) jobs[run.jobs[i].identity.id] = i;
   for (const auto& one_case : run.cases) cases.of(one_case.name);
@@ -163,8 +161,11 @@ void add_cells(const RunView& view, Overview& overview, Names& cases, Names& ren
         !target.image.empty() && std::filesystem::exists(image.parent_path() / "result.png", ignored);
     cells.thumbnails.push_back(has_thumbnail ? 1 : 0);
     add_cost(target, run, jobs, machines, cells);
+    const auto without_noise = deciding_psnr_without_noise_db(target);
+    cells.beside_psnr.push_back(without_noise ? texts_beside.of(without_noise_text(*without_noise)) : 0);
     add_measures(target, i, overview);
   }
+  if (overview.texts_beside_psnr.size() > 1) overview.rule_beside_psnr = kWithoutNoiseRule;
   for (auto& [name, column] : overview.measures) column.resize(run.targets.size(), kNone);
 }
 

@@ -117,6 +117,7 @@ using Column = std::vector<double>;
 struct Cells {
   std::vector<std::size_t> cases, targets, renderers, states, declared, reasons, thumbnails;
   std::vector<std::size_t> preliminary;  // 1 where the state is the verdict of a look, and more may follow
+  std::vector<std::size_t> beside_psnr;  // in `texts_beside_psnr`
   Column machine;                        // null if the times are not of a single machine
   Column wall_seconds, cpu_seconds, render_seconds, peak_rss_bytes, spp;
 };
@@ -131,6 +132,7 @@ void fields(Visitor& visit, Record& cells) {
   visit("declared", cells.declared);
   visit("reason", cells.reasons);
   visit("thumbnail", cells.thumbnails);
+  visit("beside_psnr", cells.beside_psnr);
   visit("machine", cells.machine);
   visit("wall_seconds", cells.wall_seconds);
   visit("cpu_seconds", cells.cpu_seconds);
@@ -153,7 +155,9 @@ struct Overview {
   std::string main_metric;  // of most gates; "" if no target was measured
   std::vector<std::string> targets;
   std::vector<std::string> reasons;
-  std::vector<std::string> machines;  // times of two different ones are not compared
+  std::vector<std::string> machines;           // times of two different ones are not compared
+  std::vector<std::string> texts_beside_psnr;  // "37.2 dB without noise"; the first is ""
+  std::string rule_beside_psnr;                // which rule those cells passed by; "" if there are none
   Cells cells;
   std::map<std::string, Column> measures;
   std::map<std::string, std::vector<std::size_t>> infinite;
@@ -175,6 +179,8 @@ void fields(Visitor& visit, Record& overview) {
   visit("targets", overview.targets);
   visit("reasons", overview.reasons);
   visit("machines", overview.machines);
+  visit("texts_beside_psnr", overview.texts_beside_psnr);
+  visit("rule_beside_psnr", overview.rule_beside_psnr);
   visit("cells", overview.cells);
   visit("measures", overview.measures);
   visit("infinite", overview.infinite);

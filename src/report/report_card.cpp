@@ -2,6 +2,8 @@
 
 #include "base/short_sentence.h"
 #include "base/statistics.h"
+#include "report/clocks.h"
+#include "report/undecided.h"
 
 #include <algorithm>
 #include <cctype>
@@ -94,7 +96,9 @@ std::string lightness_text(const RunRecord& run, const std::string& renderer) {
     high = std::max(high, *off);
   }
   if (!(low * high > 0)) return "";
-  const auto [least, most] = std::minmax({std::fabs(low), std::fabs(high)});
+  // More than all of the light cannot be missing.
+  const double floor = high < 0 ? std::max(low, -1.0) : low;
+  const auto [least, most] = std::minmax({std::fabs(floor), std::fabs(high)});
   const auto by = fmt::format("{:.2g}", kPercent * least) == fmt::format("{:.2g}", kPercent * most)
                       ? fmt::format("{:.2g}", kPercent * most)
                       : fmt::format("{:.2g} to {:.2g}", kPercent * least, kPercent * most);
@@ -155,12 +159,9 @@ std::string usual_text(const std::vector<std::string>& texts) {
                            [&](const auto& a, const auto& b) { return counts[a] < counts[b]; });
 }
 
-// "undecided: its noise: about 4 times the samples would decide it; R is ..." by its second part.
 std::string why_undecided(const std::string& reason) {
-  constexpr std::string_view kUndecided = "undecided: ";
-  if (reason.rfind(kUndecided, 0) != 0) return "noise allows no decision";
-  const auto rest = reason.substr(kUndecided.size());
-  return "undecided because of " + rest.substr(0, rest.find_first_of(":;"));
+  const auto undecided = undecided_of(reason);
+  return undecided ? "undecided because of " + undecided->cause : "noise allows no decision";
 }
 
 // Why the failure is known, without what is news about its numbers.
@@ -276,7 +277,9 @@ void add_costs(const RunRecord& run, std::vector<ReportCard>& cards) {
   const auto jobs = jobs_by_id(run);
   std::vector<std::map<std::string, double>> works;
   works.reserve(cards.size());
-  for (const auto& card : cards) works.push_back(work_of(run, jobs, card.renderer));
+  for (const auto& card : cards)
+    works.push_back(renders_elsewhere(run, card.renderer) ? std::map<std::string, double>{}
+                                                          : work_of(run, jobs, card.renderer));
   const auto base = std::find_if(works.begin(), works.end(), [](const auto& work) { return !work.empty(); });
   if (base == works.end()) return;
   const auto at = static_cast<std::size_t>(base - works.begin());
@@ -292,7 +295,12 @@ std::vector<ReportCard> report_cards(const RunRecord& run) {
     Count count;
     for (const auto& target : run.targets)
       if (target.renderer == renderer.name) add(target, count);
-    ReportCard card{renderer.name, standing_of(count), "", groups_of(run, renderer.name), {}};
+    ReportCard card{renderer.name,
+                    standing_of(count),
+                    "",
+                    groups_of(run, renderer.name),
+                    {},
+                    clocks_text(run, renderer.name)};
     card.sentence = sentence_of(count, cause_text(run, renderer.name, card.groups, count.wrong));
     cards.push_back(std::move(card));
   }

@@ -58,6 +58,7 @@ struct ReportCard {
   std::string sentence;              // "wrong in 7 of 48 targets: 6 of them textures are not decoded (sRGB)"
   std::vector<TroubleGroup> groups;  // the worst and largest first
   std::optional<NoiseCost> cost;     // nothing for the renderer that the others are compared with
+  std::string clock;                 // what is said where its times contradict each other, see clocks_text
 };
 
 template <class Visitor, json::RecordOf<ReportCard> Record>
@@ -67,6 +68,7 @@ void fields(Visitor& visit, Record& card) {
   visit("sentence", card.sentence);
   visit("groups", card.groups);
   visit("cost", card.cost);
+  visit("clock", card.clock);
 }
 
 /// One card for each renderer that has declared targets, in the order of the run.

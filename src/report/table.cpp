@@ -6,6 +6,7 @@
 #include "history/comparison_text.h"
 #include "report/hints.h"
 #include "report/short_reason.h"
+#include "report/undecided.h"
 #include "results/state_colour.h"
 
 #include <algorithm>
@@ -44,7 +45,11 @@ struct PaintedRows {
 };
 
 std::string cell_text(const Cell& cell) {
-  return fmt::format("{:>6} {}", decibels(cell.lowest_psnr_db), state_name(cell.verdict, cell.expectation));
+  auto text =
+      fmt::format("{:>6} {}", decibels(cell.lowest_psnr_db), state_name(cell.verdict, cell.expectation));
+  if (cell.lowest_psnr_without_noise_db)
+    text += ", " + without_noise_text(*cell.lowest_psnr_without_noise_db);
+  return text;
 }
 
 // As many renderers side by side as the terminal has room for, the next ones below.
@@ -74,7 +79,7 @@ std::string shared_numbers_note(const RunRecord& run) {
     for (const auto& target : run.targets) {
       const auto cell = requirement.cells.find(target.renderer);
       if (target.requirement != requirement.code || cell == requirement.cells.end()) continue;
-      if (const auto psnr = judged_psnr_db(target); psnr && cell->second.lowest_psnr_db == psnr)
+      if (const auto psnr = psnr_db(target); psnr && cell->second.lowest_psnr_db == psnr)
         codes_of[{target.renderer, target.target}].insert(requirement.code);
     }
   std::map<std::string, std::set<std::string>> shared;  // codes by image, of all renderers
@@ -88,6 +93,14 @@ std::string shared_numbers_note(const RunRecord& run) {
     parts.push_back(fmt::format("{} ({})", fmt::join(in_order, ", "), image));
   }
   return parts.empty() ? "" : fmt::format("Equal numbers are of one image: {}", fmt::join(parts, "; "));
+}
+
+// Below the table, since a number below the gate beside "pass" would look like a mistake.
+std::string without_noise_note(const RunRecord& run) {
+  for (const auto& requirement : run.requirements)
+    for (const auto& [renderer, cell] : requirement.cells)
+      if (cell.lowest_psnr_without_noise_db) return std::string(kWithoutNoiseRule);
+  return {};
 }
 
 std::string counts_text(const results::RendererRecord& renderer) {
@@ -122,6 +135,7 @@ struct SharedVerdict {
   std::string reason;
   std::vector<std::string> requirements;
   std::vector<std::string> targets;
+  std::vector<Undecided> undecided{};  // of each target, where they share why they are not decided
 };
 
 void add_new(std::vector<std::string>& names, const std::string& name) {
@@ -130,11 +144,20 @@ void add_new(std::vector<std::string>& names, const std::string& name) {
 
 // Takes the target in where all else that is shown is the same: a program that does not start, or one cause
 // of many failures, is told once.
-bool take_in(SharedVerdict& shared, const results::TargetRecord& target, const std::string& reason) {
+bool take_in(SharedVerdict& shared,
+             const results::TargetRecord& target,
+             const std::string& reason,
+             const std::optional<Undecided>& undecided) {
   const auto& first = *shared.first;
+  const bool has_one_cause =
+      undecided && !shared.undecided.empty() && shared.undecided.front().cause == undecided->cause;
   if (first.renderer != target.renderer || first.verdict != target.verdict ||
-      first.expectation != target.expectation || shared.reason != reason)
+      first.expectation != target.expectation || (!has_one_cause && shared.reason != reason))
     return false;
+  // A target that several cases judge is undecided once.
+  const bool is_new =
+      std::find(shared.targets.begin(), shared.targets.end(), target.target) == shared.targets.end();
+  if (has_one_cause && is_new) shared.undecided.push_back(*undecided);
   add_new(shared.requirements, target.requirement);
   add_new(shared.targets, target.target);
   return true;
@@ -158,9 +181,18 @@ std::string verdict_lines(const RunRecord& run, const TableStyle& style) {
     const auto reason = style.whole_reasons ? reason_text(target)
                                             : line_reason(target.verdict, target.expectation,
                                                           reason_text(target), style.width);
-    if (std::none_of(told.begin(), told.end(), [&](auto& shared) { return take_in(shared, target, reason); }))
-      told.push_back({&target, reason, {target.requirement}, {target.target}});
+    const auto undecided = style.whole_reasons || target.verdict != Verdict::Inconclusive ||
+                                   target.expectation != Expectation::None
+                               ? std::nullopt
+                               : undecided_of(target.reason);
+    if (std::any_of(told.begin(), told.end(),
+                    [&](auto& shared) { return take_in(shared, target, reason, undecided); }))
+      continue;
+    told.push_back({&target, reason, {target.requirement}, {target.target}});
+    if (undecided) told.back().undecided = {*undecided};
   }
+  for (auto& shared : told)
+    if (shared.undecided.size() > 1) shared.reason = undecided_text(shared.undecided);
   std::stable_partition(told.begin(), told.end(), [](const SharedVerdict& shared) {
     return shared.first->verdict != Verdict::Unsupported;
   });
@@ -168,7 +200,7 @@ std::string verdict_lines(const RunRecord& run, const TableStyle& style) {
     return counts_as_failure(shared.first->verdict, shared.first->expectation);
   });
   PaintedRows table(style);
-  for (const auto& [first, reason, requirements, targets] : told) {
+  for (const auto& [first, reason, requirements, targets, undecided] : told) {
     table.rows.emplace_back();
     table.add(std::string(state_name(*first)), first->verdict, first->expectation);
     for (auto cell : {first->renderer, names_text(requirements, style), names_text(targets, style), reason})
@@ -252,6 +284,12 @@ std::string decibels(const std::optional<double>& value) {
   return std::isinf(*value) ? "inf" : fmt::format("{:.2f}", *value);
 }
 
+std::string without_noise_text(double db) {
+  // An error that cannot be told from none: 99 dB is a 350th of a step of the display.
+  constexpr double kMost_db = 99;
+  return fmt::format("{:.1f} dB without noise", std::min(db, kMost_db));
+}
+
 namespace {
 
 std::string interrupt_line(const RunRecord& run) {
@@ -271,7 +309,8 @@ std::string summary_text(const RunRecord& run, const TableStyle& style) {
     for (const auto& line : split(trim(lines), '\n'))
       text += fmt::format("{}\n", fmt::join(wrapped(line, static_cast<std::size_t>(style.width)), "\n"));
   };
-  if (const auto note = shared_numbers_note(run); !note.empty()) add_lines(note);
+  for (const auto& note : {without_noise_note(run), shared_numbers_note(run)})
+    if (!note.empty()) add_lines(note);
   text += '\n';
   text += renderer_lines(run, style);
   for (const auto& left : run.left_out)

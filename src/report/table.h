@@ -25,4 +25,12 @@ std::string summary_text(const results::RunRecord& run, const TableStyle& style)
 /// "41.20", "inf", "-" for none.
 std::string decibels(const std::optional<double>& value);
 
+/// "37.2 dB without noise", which is certain, beside the image's own PSNR.
+std::string without_noise_text(double db);
+/// What stands where a table has such numbers.
+inline constexpr std::string_view kWithoutNoiseRule =
+    "Numbers are the PSNR of the images in dB. Where an image's own noise keeps it below the gate, it passes if "
+    "its error without the noise, which two halves of its samples show, is small enough for certain: the PSNR "
+    "that it has at least without noise stands beside its own.";
+
 }  // namespace orbs::report

@@ -19,11 +19,13 @@ namespace orbs::results {
 struct Cell {
   bool declared = false;
   Verdict verdict = Verdict::Skipped;
-  std::optional<double> lowest_psnr_db;  // infinite if all images equal their references
+  std::optional<double> lowest_psnr_db;  // of the images; infinite if all equal their references
   std::string reason;                    // of the worst target
   Expectation expectation = Expectation::None;
   // Without regard to what is expected: beside an unexpected pass, that of a failure that is known.
   std::optional<Verdict> worst_verdict{};
+  // The lowest of those that meet the gate without their noise only; none where the images' own PSNR decides.
+  std::optional<double> lowest_psnr_without_noise_db{};
 };
 
 template <class Visitor, json::RecordOf<Cell> Record>
@@ -31,6 +33,7 @@ void fields(Visitor& visit, Record& cell) {
   visit("declared", cell.declared);
   visit.required("verdict", cell.verdict);
   visit.maybe_infinite("lowest_psnr_db", cell.lowest_psnr_db);
+  visit.maybe_infinite("lowest_psnr_without_noise_db", cell.lowest_psnr_without_noise_db);
   visit("reason", cell.reason);
   visit("expectation", cell.expectation);
   visit("worst_verdict", cell.worst_verdict);

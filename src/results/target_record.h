@@ -187,13 +187,23 @@ void fields(Visitor& visit, Record& target) {
 /// The measure of a target that is judged in looks: the PSNR that is certain of the image without its noise.
 inline constexpr std::string_view kPsnrWithoutNoise = "psnr_without_noise";
 
-/// The PSNR in dB, without the noise where the verdict rests on that; nothing where it was not measured.
-inline std::optional<double> judged_psnr_db(const TargetRecord& target) {
-  std::optional<double> psnr;
+inline std::optional<double> measured(const TargetRecord& target, std::string_view name) {
   for (const auto& measure : target.measures)
-    if (measure.name == "psnr_srgb8" || measure.name == kPsnrWithoutNoise)
-      psnr = std::max(psnr.value_or(measure.value), measure.value);
-  return psnr;
+    if (measure.name == name) return measure.value;
+  return std::nullopt;
+}
+
+/// The image's PSNR in dB, with all its noise. All that is called PSNR or stands before "dB" alone is this.
+inline std::optional<double> psnr_db(const TargetRecord& target) { return measured(target, "psnr_srgb8"); }
+
+/// The PSNR in dB that is certain without the noise, where the gate is met by it though the image's own PSNR
+/// is too low. It is said beside that, never in its place.
+inline std::optional<double> deciding_psnr_without_noise_db(const TargetRecord& target) {
+  const auto psnr = psnr_db(target);
+  for (const auto& check : target.checks)
+    if (check.what == "psnr_srgb8" && check.passed && check.min && psnr && *psnr < *check.min)
+      return measured(target, kPsnrWithoutNoise);
+  return std::nullopt;
 }
 
 /// "known", "unexpected pass", or the name of the verdict.

@@ -24,8 +24,11 @@ void add_to_cell(const TargetRecord& target, bool is_first, Cell& cell) {
     cell.expectation = target.expectation;
     cell.reason = reason_text(target);
   }
-  if (const auto psnr = judged_psnr_db(target))
-    cell.lowest_psnr_db = std::min(cell.lowest_psnr_db.value_or(*psnr), *psnr);
+  const auto take_lower = [](std::optional<double>& lowest, const std::optional<double>& db) {
+    if (db) lowest = std::min(lowest.value_or(*db), *db);
+  };
+  take_lower(cell.lowest_psnr_db, psnr_db(target));
+  take_lower(cell.lowest_psnr_without_noise_db, deciding_psnr_without_noise_db(target));
 }
 
 void fill_requirements(results::RunRecord& record) {

@@ -55,6 +55,23 @@ test("of targets in the same state the one with the worst metric represents the 
   await page.close();
 });
 
+test("where an image passes without its noise its own PSNR comes first, and the rule is below", async () => {
+  const rule = "Numbers are the PSNR of the images.";
+  const page = await session.browser.newPage();
+  await changeOverview(page, (overview) => {
+    overview.measures["psnr_srgb8"]![0] = 30.54;
+    overview.cells["beside_psnr"]![0] = 1;
+    overview.texts_beside_psnr = ["", "37.2 dB without noise"];
+    overview.rule_beside_psnr = rule;
+  });
+  await page.goto(`${session.url}#/?by=target`);
+  await page.getByText("30.54 dB, 37.2 dB without noise").waitFor();
+  await page.getByText(rule).waitFor();
+  await page.goto(`${session.url}#/?as=gallery&by=target`);
+  await page.locator(".card .beside").getByText("37.2 dB without noise").waitFor();
+  await page.close();
+});
+
 test("filter box, chips and the address agree", async () => {
   const { page } = await open(session.browser, session.url);
   await page.locator(".search").waitFor();

@@ -33,11 +33,9 @@ esbuild.buildSync({
 const files = readdirSync(output).map((file) => join(output, file));
 const names = pattern ? [`--test-name-pattern=${pattern}`] : [];
 // Not each system has a package of it. To ctest, 77 says that the test is skipped.
-const chromium = [
-  "/usr/bin/chromium",
-  "/usr/bin/chromium-browser",
-  "/usr/bin/google-chrome",
-].find(existsSync);
+const chromium = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find(
+  existsSync,
+);
 if (!chromium) {
   console.log("Chromium is not installed, so the page was not tested in a browser.");
   process.exit(77);

@@ -37,7 +37,14 @@ struct Column {
 struct Table {
   std::vector<Column> columns;
   std::vector<std::pair<std::string, std::string>> requirements;  // code and title
+  std::string numbers{};  // what the cells hold, the name of their column
 };
+
+// Files of earlier runs hold one number, which is that of the image or without its noise.
+std::string what_numbers_are(const Table& table) {
+  if (table.numbers == "psnr_db") return "Numbers are the least PSNR of a requirement's images in dB.\n";
+  return "Numbers are the least PSNR of a requirement's images in dB, without their noise if that decided.\n";
+}
 
 std::string cell_text(const std::string& verdict, const std::string& psnr_db) {
   if (verdict == "unsupported") return "\u2013";
@@ -84,6 +91,7 @@ Table read_table(const std::string& csv) {
   std::istringstream in(csv);
   std::string line;
   std::getline(in, line);  // the names of the columns
+  table.numbers = cells_of(line).at(7);
   while (std::getline(in, line)) {
     const auto cells = cells_of(line);
     const bool has_counts = cells.size() == 8 + kVerdicts;
@@ -128,8 +136,9 @@ std::string markdown(const Table& table) {
       return cell == column.cells.end() ? std::string("\u2013") : cell->second;
     });
   const auto has_times = [](const Column& column) { return !column.cpu_seconds.empty(); };
-  if (std::none_of(table.columns.begin(), table.columns.end(), has_times)) return text;
-  return text + row(table, "CPU seconds", [](const Column& column) { return column.cpu_seconds; });
+  if (std::any_of(table.columns.begin(), table.columns.end(), has_times))
+    text += row(table, "CPU seconds", [](const Column& column) { return column.cpu_seconds; });
+  return text + "\n" + what_numbers_are(table);
 }
 
 // Scenes whose failures have one cause share a row.

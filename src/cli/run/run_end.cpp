@@ -82,7 +82,8 @@ std::string report_card_text(const results::RunRecord& record) {
   std::string text;
   for (const auto& card : report::report_cards(record))
     text +=
-        fmt::format("{}: {}{}\n", card.renderer, card.sentence, card.cost ? "; " + card.cost->sentence : "");
+        fmt::format("{}: {}{}{}\n", card.renderer, card.sentence, card.cost ? "; " + card.cost->sentence : "",
+                    card.clock.empty() ? "" : "; " + card.clock);
   return text;
 }
 

@@ -40,6 +40,7 @@ std::string finished_line(std::size_t done,
   auto expectation = results::Expectation::None;
   std::string reason = job.end.reason;
   std::optional<double> psnr;
+  std::optional<double> without_noise;  // of the target with that PSNR
   for (const auto& target : targets) {
     if (&target == &targets.front() ||
         results::is_worse(target.verdict, target.expectation, verdict, expectation)) {
@@ -47,16 +48,20 @@ std::string finished_line(std::size_t done,
       expectation = target.expectation;
       reason = reason_text(target);
     }
-    if (const auto judged = judged_psnr_db(target)) psnr = std::min(psnr.value_or(*judged), *judged);
+    const auto of_target = psnr_db(target);
+    if (!of_target || (psnr && *psnr <= *of_target)) continue;
+    psnr = of_target;
+    without_noise = deciding_psnr_without_noise_db(target);
   }
   const auto state = state_name(verdict, expectation);
   const bool good = results::passes(verdict) && expectation == results::Expectation::None;
   const bool fails = results::counts_as_failure(verdict, expectation);
   if (settings.quiet && !fails) return "";
-  const auto line = fmt::format("[{:>{}}/{}] {:<10} {:<18} {:<14} {:>6} dB {:>7.1f} s", done,
-                                fmt::formatted_size("{}", count), count, job.identity.renderer,
-                                job.identity.scene, good && targets.empty() ? "rendered" : state,
-                                report::decibels(psnr), job.cost.wall_seconds);
+  const auto line =
+      fmt::format("[{:>{}}/{}] {:<10} {:<18} {:<14} {:>6} dB {:>7.1f} s{}", done,
+                  fmt::formatted_size("{}", count), count, job.identity.renderer, job.identity.scene,
+                  good && targets.empty() ? "rendered" : state, report::decibels(psnr), job.cost.wall_seconds,
+                  without_noise ? "  " + report::without_noise_text(*without_noise) : "");
   if (good) return clean_line(line) + '\n';
   return with_reason(
       clean_line(line),

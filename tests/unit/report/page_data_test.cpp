@@ -175,7 +175,8 @@ TEST(PageData, ShowsTheMetricOfTheGatesFirst) {
 }
 
 // "pass, 34.6 dB" looked like a mistake where at least 35 dB are needed.
-TEST(PageData, ShowsThePsnrThatTheVerdictRestsOn) {
+// One number under one name: that of the image, with the one that it passes by beside it.
+TEST(PageData, ShowsThePsnrOfTheImageAndWhatItPassesByBesideIt) {
   results::TargetRecord target;
   for (const auto& [name, value] :
        {std::pair{"psnr_srgb8", 34.6}, std::pair{"psnr_without_noise", 40.5}, std::pair{"ssim", 0.9}}) {
@@ -184,10 +185,16 @@ TEST(PageData, ShowsThePsnrThatTheVerdictRestsOn) {
     measure.value = value;
     target.measures.push_back(measure);
   }
+  results::Check gate;
+  gate.what = "psnr_srgb8";
+  gate.min = 35;
+  gate.passed = true;
+  target.checks = {gate};
   results::RunView view;
   view.run.targets = {target};
   const auto text = report::overview_json(view);
-  EXPECT_TRUE(holds(text, R"("psnr_srgb8": [40.5])")) << text;
+  EXPECT_TRUE(holds(text, R"("psnr_srgb8": [34.6])")) << text;
+  EXPECT_TRUE(holds(text, R"("texts_beside_psnr": ["", "40.5 dB without noise"])")) << text;
   EXPECT_TRUE(holds(text, R"("ssim": [0.9])")) << text;
 }
 

@@ -83,6 +83,19 @@ TEST(Table, EqualNumbersOfOneImageAreExplained) {
       << summary_text(run, {false, 30});
 }
 
+TEST(Table, TheRuleStandsBelowItWhereAnImagePassesWithoutItsNoise) {
+  auto run = small_run();
+  EXPECT_EQ(summary_text(run, {}).find("without"), std::string::npos);
+  auto& cell = run.requirements[0].cells.at("a");
+  cell.lowest_psnr_db = 30.54;
+  cell.lowest_psnr_without_noise_db = 37.2;
+  const auto text = summary_text(run, {});
+  EXPECT_NE(text.find(" 30.54 pass, 37.2 dB without noise "), std::string::npos) << text;
+  EXPECT_NE(text.find("\nNumbers are the PSNR of the images in dB."), std::string::npos) << text;
+  cell.lowest_psnr_without_noise_db = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(summary_text(run, {}).find("inf dB"), std::string::npos);
+}
+
 TEST(Table, WithColourItHasTheSameTextBetweenTheEscapes) {
   auto coloured = summary_text(small_run(), {true});
   EXPECT_NE(coloured, summary_text(small_run(), {}));

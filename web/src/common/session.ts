@@ -71,5 +71,11 @@ export const goesOnText = (overview: Overview, index: number): string =>
 export const reasonOf = (overview: Overview, index: number): string =>
   overview.reasons[overview.cells.reason[index] ?? -1] ?? "";
 
+/** "37.2 dB without noise" where the verdict rests on that and the image's own PSNR is shown. */
+export const besidePsnr = (overview: Overview, metric: string, index: number): string =>
+  metric === "psnr_srgb8"
+    ? (overview.texts_beside_psnr[overview.cells.beside_psnr[index] ?? 0] ?? "")
+    : "";
+
 export const isInfinite = (overview: Overview, metric: string, index: number): boolean =>
   overview.infinite[metric]?.includes(index) ?? false;

@@ -1,6 +1,6 @@
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import { number } from "../common/format";
-import { isInfinite, reasonOf, stateOf, type Session } from "../common/session";
+import { besidePsnr, isInfinite, reasonOf, stateOf, type Session } from "../common/session";
 import { StateMark } from "../common/StateMark";
 import type { Row } from "./rows";
 import { cellLink } from "./Grid";
@@ -108,6 +108,7 @@ function Card({
   if (cell < 0) return <span class="card none" style={{ width: `${2 * side + kGap}px` }} />;
   const value = overview.measures[show]?.[cell];
   const infinite = isInfinite(overview, show, cell);
+  const beside = besidePsnr(overview, show, cell);
   const reason = reasonOf(overview, cell);
   return (
     <span role="cell" class="card" style={{ width: `${2 * side + kGap}px` }}>
@@ -118,6 +119,7 @@ function Card({
       <span class="line">
         <StateMark state={stateOf(overview, cell)} />{" "}
         <span class="number">{number(value, infinite)}</span>
+        {beside && <span class="beside"> {beside}</span>}
       </span>
       <span class="why" title={reason}>
         {reason}

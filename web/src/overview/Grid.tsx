@@ -2,6 +2,7 @@ import { useEffect, useState } from "preact/hooks";
 import { bytes, number, seconds } from "../common/format";
 import {
   goesOnText,
+  besidePsnr,
   isInfinite,
   namesOf,
   reasonOf,
@@ -41,7 +42,8 @@ function shown(overview: Overview, show: string, index: number): string {
   const value = overview.measures[show]?.[index];
   const infinite = isInfinite(overview, show, index);
   if (!metric || ((value === null || value === undefined) && !infinite)) return "";
-  return `${number(value, infinite)}${metric.unit === "dB" ? " dB" : ""}`;
+  const beside = besidePsnr(overview, show, index);
+  return `${number(value, infinite)}${metric.unit === "dB" ? " dB" : ""}${beside && `, ${beside}`}`;
 }
 
 export function cellLink(session: Session, index: number): string {
@@ -161,12 +163,14 @@ export function Grid({ session, rows, renderers, filter, show }: Props) {
   const [hovered, setHovered] = useState<Hovered>();
   useEffect(() => setHovered(undefined), [rows]);
   const { overview } = session;
+  const hasTwoNumbers = show === "psnr_srgb8" && overview.rule_beside_psnr !== "";
+  const isWide = show === "wall_seconds" || hasTwoNumbers;
   const column = "minmax(var(--column), 1fr)";
   const columns = `minmax(var(--head), 2fr) repeat(${renderers.length}, ${column}) var(--why)`;
   const several = new Set(overview.cases.map((one) => one.suite)).size > 1;
   return (
     <div
-      class={`grid ${show === "wall_seconds" ? "with-samples" : ""}`}
+      class={`grid ${isWide ? "wide-cells" : ""}`}
       role="table"
       aria-label="Requirements by renderers"
       aria-rowcount={rows.length + 1}

@@ -88,6 +88,9 @@ export function OverviewPage({ session, route }: { session: Session; route: Rout
           show={filter.show}
         />
       )}
+      {filter.show === "psnr_srgb8" && overview.rule_beside_psnr && (
+        <p class="quiet">{overview.rule_beside_psnr}</p>
+      )}
     </>
   );
 }
