@@ -4,8 +4,8 @@
 #
 #   tests/platforms/run.sh [--whole] [--folder <folder>] [--limit <seconds>] [<suite of Debian>...]
 #
-# Without a suite: bookworm and trixie. Quick, the usual: packages by root, a build with its tests, `ctest -L quick`, and
-# the suite orbs at 1/8. Whole: then `./bootstrap test` with all tests, and `./bootstrap run` by root in a clone of root's.
+# Without a suite: bookworm and trixie. Quick, the usual: packages by root, the suite orbs at 1/8, and then, which takes
+# longer to build, `ctest -L quick`. Whole: then `./bootstrap test` with all tests, and `./bootstrap run` by root in a clone of root's.
 # A chroot stays in the folder (default: /var/tmp/orbs-platforms) and is used again, clones are made anew; logs lie in
 # <folder>/<suite>.log. It needs root, debootstrap, and a network.
 # Ends with 0 if all went well; 1 if a build or a test has failed; 77 if a chroot could not be made or the limit was
@@ -98,8 +98,8 @@ test_suite() {  # <suite>
   # No fault of ours if the mirror does not answer.
   step "packages, by root: ./bootstrap install test" root "apt-get update && '/users/root/check out/bootstrap' install test" || return 77
   say "$suite: $(chroot "$root" dpkg-query --show | wc -l) packages, $(du -smx "$root/" | cut -f1) MB"
-  step "by a plain user: ./bootstrap test -L quick" tester 'cd "$HOME/check out" && ./bootstrap test -L quick' || return
   step "by a plain user: ./bootstrap run --size 1/8" tester 'cd "$HOME/check out" && ./bootstrap run --size 1/8' || return
+  step "by a plain user: ./bootstrap test -L quick" tester 'cd "$HOME/check out" && ./bootstrap test -L quick' || return
   say "$suite: build folder $(du -smx "$root/users/tester/check out/build" | cut -f1) MB"
   if [[ $whole == no ]]; then return 0; fi
   step "by a plain user: ./bootstrap test" tester 'cd "$HOME/check out" && ./bootstrap test' || return
