@@ -49,6 +49,11 @@ std::string counts_text(const results::RunRecord& record) {
   return text;
 }
 
+// "16 to 4096", or "16" of two equal ones.
+std::string range_text(int least, int most) {
+  return least == most ? std::to_string(least) : fmt::format("{} to {}", least, most);
+}
+
 // "orbs: 16 to 4096 samples per pixel in 1 to 9 looks, 61 CPU s; undecided: 1 edge, 2 budget". Nothing for
 // fixed samples.
 std::string samples_text(const results::RunRecord& record, const std::string& renderer) {
@@ -69,8 +74,9 @@ std::string samples_text(const results::RunRecord& record, const std::string& re
     if (!job.sampling.end.empty() && job.sampling.end != "decided") ++undecided[job.sampling.end];
   }
   if (least == 0) return "";
-  auto text = fmt::format("{}: {} to {} samples per pixel in {} to {} looks, {:.0f} CPU s", renderer, least,
-                          most, fewest_looks, most_looks, cpu_seconds);
+  auto text =
+      fmt::format("{}: {} samples per pixel in {} look{}, {:.0f} CPU s", renderer, range_text(least, most),
+                  range_text(fewest_looks, most_looks), most_looks == 1 ? "" : "s", cpu_seconds);
   std::vector<std::string> parts;
   for (const auto& [end, number] : undecided) parts.push_back(fmt::format("{} {}", number, end));
   if (!parts.empty()) text += fmt::format("; undecided: {}", fmt::join(parts, ", "));
