@@ -135,13 +135,21 @@ void export_scene(const registry::Renderer& renderer,
 
 namespace {
 
+// 1: the scene file has what the scene calls for. A reader that refuses what it does not know, as it should,
+// is not given a key that it did not ask for.
+constexpr SceneSetting kCallsFor{.name = "calls_for", .is_whole = true};
+
 Exporter neutral_exporter() {
-  return {.format = registry::kNeutralFormat,
-          .scene_file = "scene.json",
-          .settings = {},
-          .limits = [](const scene::Scene&, const SceneSettings&) { return std::vector<std::string>{}; },
-          .write = [](const scene::Scene& scene, const SceneSettings&,
-                      const std::filesystem::path& file) { scene::write_scene(scene, file, true); }};
+  return {
+      .format = registry::kNeutralFormat,
+      .scene_file = "scene.json",
+      .settings = {kCallsFor},
+      .limits = [](const scene::Scene&, const SceneSettings&) { return std::vector<std::string>{}; },
+      .write =
+          [](const scene::Scene& scene, const SceneSettings& settings, const std::filesystem::path& file) {
+            const auto asked = settings.find(kCallsFor.name);
+            scene::write_scene(scene, file, asked != settings.end() && asked->second != 0);
+          }};
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // The table of exporters, and what becomes of a type of material that an exporter does not know.
 #include "adapters/export.h"
 #include "adapters/kind_support.h"
+#include "base/files.h"
 #include "json/document.h"
 #include "json/object_reader.h"
 #include "registry/features.h"
@@ -79,6 +80,24 @@ TEST(Exporters, TheOriginIsNearTheCamera) {
     EXPECT_LT(scene::world_bounds(near)->high.y, 2) << exporter.format;
     EXPECT_EQ(distance_m(prepared(exporter.format, {{"origin_near_camera", 0}}), far), 0) << exporter.format;
   }
+}
+
+// A reader that refuses keys that it does not know is right, so it is given none that it did not ask for.
+TEST(Exporters, WhatASceneCallsForIsWrittenForWhoAsksForIt) {
+  const auto scene = scene::load_scene(ORBS_SOURCE_DIR "/data/bench/glass.json");
+  const ScratchFolder folder("exporters");
+  registry::Renderer renderer;
+  renderer.support.declares = registry::parse_features("G5/M8/L4/A4");
+  renderer.format.name = registry::kNeutralFormat;
+  const auto written = [&] {
+    EXPECT_NO_THROW(adapters::check_scene_settings(renderer));
+    const auto prepared = std::get<scene::Scene>(adapters::prepare_scene(renderer, scene));
+    adapters::export_scene(renderer, prepared, folder.path() / "scene.json");
+    return read_file(folder.path() / "scene.json");
+  };
+  EXPECT_EQ(written().find("calls_for"), std::string::npos);
+  renderer.format.settings = {{"calls_for", 1}};
+  EXPECT_NE(written().find(R"("calls_for": ["glass")"), std::string::npos) << written().substr(0, 300);
 }
 
 TEST(Exporters, WholeRepetitionsOfTexturesAreLeftOut) {
