@@ -1,5 +1,6 @@
 #include "faults/values.h"
 
+#include "base/in_double.h"
 #include "faults/pixels.h"
 #include "image/colour.h"
 
@@ -29,7 +30,7 @@ Image with_curve(const Image& image, Map map) {
 }
 
 float power(float value, float exponent) {
-  return std::copysign(std::pow(std::fabs(value), exponent), value);
+  return std::copysign(in_double::pow(std::fabs(value), exponent), value);
 }
 
 float encode_22(float value) { return power(value, 1 / 2.2F); }

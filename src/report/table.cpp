@@ -284,11 +284,7 @@ std::string decibels(const std::optional<double>& value) {
   return std::isinf(*value) ? "inf" : fmt::format("{:.2f}", *value);
 }
 
-std::string without_noise_text(double db) {
-  // An error that cannot be told from none: 99 dB is a 350th of a step of the display.
-  constexpr double kMost_db = 99;
-  return fmt::format("{:.1f} dB without noise", std::min(db, kMost_db));
-}
+std::string without_noise_text(double db) { return fmt::format("{:.1f} dB without noise", db); }
 
 namespace {
 

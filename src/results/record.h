@@ -24,7 +24,8 @@ struct Cell {
   Expectation expectation = Expectation::None;
   // Without regard to what is expected: beside an unexpected pass, that of a failure that is known.
   std::optional<Verdict> worst_verdict{};
-  // The lowest of those that meet the gate without their noise only; none where the images' own PSNR decides.
+  // The lowest of those that meet the gate without their noise only, none of them infinite; none where the
+  // images' own PSNR decides.
   std::optional<double> lowest_psnr_without_noise_db{};
 };
 
@@ -33,7 +34,7 @@ void fields(Visitor& visit, Record& cell) {
   visit("declared", cell.declared);
   visit.required("verdict", cell.verdict);
   visit.maybe_infinite("lowest_psnr_db", cell.lowest_psnr_db);
-  visit.maybe_infinite("lowest_psnr_without_noise_db", cell.lowest_psnr_without_noise_db);
+  visit("lowest_psnr_without_noise_db", cell.lowest_psnr_without_noise_db);
   visit("reason", cell.reason);
   visit("expectation", cell.expectation);
   visit("worst_verdict", cell.worst_verdict);

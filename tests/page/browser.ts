@@ -84,6 +84,8 @@ export interface SomeOverview {
   measures: Record<string, (number | null)[]>;
   infinite: Record<string, number[]>;
   targets: string[];
+  texts_beside_psnr: string[];
+  rule_beside_psnr: string;
 }
 
 /** Lets `change` modify the overviews that the server sends; `run` is the index of the run. */

@@ -163,8 +163,7 @@ export function Grid({ session, rows, renderers, filter, show }: Props) {
   const [hovered, setHovered] = useState<Hovered>();
   useEffect(() => setHovered(undefined), [rows]);
   const { overview } = session;
-  const hasTwoNumbers = show === "psnr_srgb8" && overview.rule_beside_psnr !== "";
-  const isWide = show === "wall_seconds" || hasTwoNumbers;
+  const isWide = show === "wall_seconds" || (show === "psnr_srgb8" && !!overview.rule_beside_psnr);
   const column = "minmax(var(--column), 1fr)";
   const columns = `minmax(var(--head), 2fr) repeat(${renderers.length}, ${column}) var(--why)`;
   const several = new Set(overview.cases.map((one) => one.suite)).size > 1;

@@ -29,6 +29,16 @@ function filterOf({ query }: Route, mainMetric: string): Filter {
   };
 }
 
+function Notes({ session, show }: { session: Session; show: string }) {
+  const { run, rule_beside_psnr } = session.overview;
+  return (
+    <>
+      {show === "psnr_srgb8" && rule_beside_psnr && <p class="quiet">{rule_beside_psnr}</p>}
+      {run.references_note && <p class="quiet">{run.references_note}</p>}
+    </>
+  );
+}
+
 export function OverviewPage({ session, route }: { session: Session; route: Route }) {
   const { overview } = session;
   const groups = useMemo(() => groupsOf(overview), [overview]);
@@ -64,7 +74,6 @@ export function OverviewPage({ session, route }: { session: Session; route: Rout
     <>
       <h1 class="unseen">Overview</h1>
       <ReportCards session={session} />
-      {overview.run.references_note && <p class="quiet">{overview.run.references_note}</p>}
       <Filters
         overview={overview}
         filter={filter}
@@ -88,9 +97,7 @@ export function OverviewPage({ session, route }: { session: Session; route: Rout
           show={filter.show}
         />
       )}
-      {filter.show === "psnr_srgb8" && overview.rule_beside_psnr && (
-        <p class="quiet">{overview.rule_beside_psnr}</p>
-      )}
+      <Notes session={session} show={filter.show} />
     </>
   );
 }
