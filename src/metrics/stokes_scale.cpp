@@ -73,24 +73,32 @@ int block_side_of(const PairSamples& samples) {
   return side;
 }
 
+void add_pixel(const PairSamples& samples,
+               const Luminances& result,
+               const Luminances& reference,
+               std::array<int, 2> at,
+               BlockSums& sums) {
+  const auto [x, y] = at;
+  const auto pixel = samples.pixel_at(x, y);
+  if (samples.included[pixel] == 0) return;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double ring = ring_of(samples, reference.at(i), x, y);
+    sums.ring.at(i) += ring;
+    for (std::size_t j = 0; j < 3; ++j) {
+      sums.result.at(i).at(j) += ring * result.at(j)[pixel];
+      sums.reference.at(i).at(j) += ring * reference.at(j)[pixel];
+    }
+  }
+}
+
 Sums sums_of(const PairSamples& samples) {
   const auto result = luminances_of(*samples.result_stokes, samples.pixel_count());
   const auto reference = luminances_of(*samples.reference_stokes, samples.pixel_count());
   const auto sums_of_block = [&](int x0, int y0, int side) {
     BlockSums sums;
     for (int y = y0; y < std::min(y0 + side, samples.height - 1); ++y)
-      for (int x = x0; x < std::min(x0 + side, samples.width - 1); ++x) {
-        const auto pixel = samples.pixel_at(x, y);
-        if (samples.included[pixel] == 0) continue;
-        for (std::size_t i = 0; i < 3; ++i) {
-          const double ring = ring_of(samples, reference.at(i), x, y);
-          sums.ring.at(i) += ring;
-          for (std::size_t j = 0; j < 3; ++j) {
-            sums.result.at(i).at(j) += ring * result.at(j)[pixel];
-            sums.reference.at(i).at(j) += ring * reference.at(j)[pixel];
-          }
-        }
-      }
+      for (int x = x0; x < std::min(x0 + side, samples.width - 1); ++x)
+        add_pixel(samples, result, reference, {x, y}, sums);
     return sums;
   };
   Sums all;
