@@ -72,6 +72,8 @@ TEST(LowestPsnr, IsThatOfTheImagesAndWhatDecidedStandsBesideIt) {
   const auto open = cell_of({target_of(27, none_seen, Verdict::Inconclusive)});
   EXPECT_EQ(open.lowest_psnr_db, 27) << "an open verdict with \"inf dB\" looked like a mistake";
   EXPECT_EQ(open.lowest_psnr_without_noise_db, std::nullopt);
+  const auto without_error = cell_of({target_of(30, none_seen, Verdict::Pass)});
+  EXPECT_EQ(without_error.lowest_psnr_without_noise_db, 99);
 }
 
 // Mitsuba's A1 was told as measured: one of its images passed unexpectedly, another was known to be
