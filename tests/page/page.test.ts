@@ -68,7 +68,7 @@ test("where an image passes without its noise its own PSNR comes first, and the 
   await page.getByText("30.54 dB, 37.2 dB without noise").waitFor();
   await page.getByText(rule).waitFor();
   await page.goto(`${session.url}#/?as=gallery&by=target`);
-  await page.locator(".card .beside").getByText("37.2 dB without noise").waitFor();
+  await page.locator(".card .beside", { hasText: "37.2 dB without noise" }).waitFor();
   await page.close();
 });
 
