@@ -385,9 +385,10 @@ void fields(Visitor& visit, Record& entry) {
 /// for what does not fit together: unknown placeholders, a command without {scene} or {output}, and the like.
 std::vector<Renderer> renderers_of(json::ObjectReader& in, RendererEntry entry, const ProcessLimits& limits);
 
-/// The reason that `renderer` gives for not meeting a requirement; nothing when it gives none.
-/// With the versions of which it is known, where the entry says them: "... (version <4)".
+/// The reason, with the versions of which it is known where the entry says them: "... (version <4)".
 std::string limit_text(const KnownLimit& limit);
+
+/// The text of the limit that `renderer` gives for not meeting a requirement; nothing when it gives none.
 std::optional<std::string> limit_reason(const Renderer& renderer, const std::string& requirement);
 
 /// Whether two renders with other seeds differ, so that several of them are more samples.
