@@ -5,7 +5,8 @@
 #   tests/platforms/run.sh [--whole] [--folder <folder>] [--limit <seconds>] [<suite of Debian>...]
 #
 # Without a suite: bookworm and trixie. Quick, the usual: packages by root, the suite orbs at 1/8, and then, which takes
-# longer to build, `ctest -L quick`. Whole: then `./bootstrap test` with all tests, and `./bootstrap run` by root in a clone of root's.
+# longer to build, `ctest -L quick`. Whole: `./bootstrap run` and `./bootstrap test` as they are, and then the suite at
+# 1/8 by root in a clone of root's.
 # A chroot stays in the folder (default: /var/tmp/orbs-platforms) and is used again, clones are made anew; logs lie in
 # <folder>/<suite>.log. It needs root, debootstrap, and a network.
 # Ends with 0 if all went well; 1 if a build or a test has failed; 77 if a chroot could not be made or the limit was
@@ -95,15 +96,20 @@ test_suite() {  # <suite>
   chroot "$root" id tester >/dev/null 2>&1 || chroot "$root" useradd --home-dir /users/tester tester
   clone tester && clone root || { cannot "$suite: git could not clone: $log"; return; }
   say "$suite: $(sed -n 's/^PRETTY_NAME=//p' "$root/etc/os-release"), $(chroot "$root" dpkg-query --show | wc -l) packages, $(du -smx "$root/" | cut -f1) MB"
-  # No fault of ours if the mirror does not answer.
-  step "packages, by root: ./bootstrap install test" root "apt-get update && '/users/root/check out/bootstrap' install test" || return 77
-  say "$suite: $(chroot "$root" dpkg-query --show | wc -l) packages, $(du -smx "$root/" | cut -f1) MB"
-  step "by a plain user: ./bootstrap run --size 1/8" tester 'cd "$HOME/check out" && ./bootstrap run --size 1/8' || return
-  step "by a plain user: ./bootstrap test -L quick" tester 'cd "$HOME/check out" && ./bootstrap test -L quick' || return
+  local command
+  for command in run test; do
+    # No fault of ours if the mirror does not answer.
+    step "packages, by root: ./bootstrap install $command" root "apt-get update && '/users/root/check out/bootstrap' install $command" || return 77
+    say "$suite: $(chroot "$root" dpkg-query --show | wc -l) packages, $(du -smx "$root/" | cut -f1) MB, of which $(du -smx "$root/var/cache/apt/archives" | cut -f1) MB as fetched"
+  done
+  local size=' --size 1/8' label=' -L quick'
+  if [[ $whole == yes ]]; then size='' label=''; fi
+  step "by a plain user: ./bootstrap run$size" tester "cd \"\$HOME/check out\" && ./bootstrap run$size" || return
+  say "$suite: build folder $(du -smx "$root/users/tester/check out/build" | cut -f1) MB"
+  step "by a plain user: ./bootstrap test$label" tester "cd \"\$HOME/check out\" && ./bootstrap test$label" || return
   say "$suite: build folder $(du -smx "$root/users/tester/check out/build" | cut -f1) MB"
   if [[ $whole == no ]]; then return 0; fi
-  step "by a plain user: ./bootstrap test" tester 'cd "$HOME/check out" && ./bootstrap test' || return
-  step "by root, anew: ./bootstrap run" root 'cd "$HOME/check out" && ./bootstrap run'
+  step "by root, anew: ./bootstrap run --size 1/8" root 'cd "$HOME/check out" && ./bootstrap run --size 1/8'
 }
 
 worst=0
