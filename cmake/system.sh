@@ -58,6 +58,7 @@ test  | python3-jsonschema  | python3-jsonschema  | python-jsonschema | jsonsche
 test  | valgrind            | valgrind            | valgrind      | Valgrind
 test  | chromium            | chromium            | chromium      | Chromium (tests of the results page)
 test  | dpkg-dev            | -                   | -             | dpkg-dev (test of the Debian package)
+test  | debootstrap         | debootstrap           | debootstrap   | debootstrap (tests/platforms)
 test  | bubblewrap          | bubblewrap          | bubblewrap    | bubblewrap (orbs run --sandbox)
 test  | munge               | munge               | munge         | munge (test of orbs submit)
 test  | slurmctld           | slurm-slurmctld     | slurm-llnl    | Slurm (test of orbs submit)

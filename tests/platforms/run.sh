@@ -2,18 +2,18 @@
 # Builds and tests the commit that is checked out on other systems, each in a chroot that debootstrap makes of its
 # minimal packages: a plain user clones it into a path with a space, with the umask 077.
 #
-#   tests/platforms/run.sh [--whole] [--folder <folder>] [--limit <seconds>] [<suite of Debian>...]
+#   tests/platforms/run.sh [--whole] [--folder <folder>] [--limit <seconds>] [<suite of Debian or Ubuntu>...]
 #
-# Without a suite: bookworm and trixie. Quick, the usual: packages by root, the suite orbs at 1/8, and then, which takes
-# longer to build, `ctest -L quick`. Whole: `./bootstrap run` and `./bootstrap test` as they are, and then the suite at
-# 1/8 by root in a clone of root's.
+# Without a suite: bookworm and trixie. Quick, the usual: `./bootstrap run --size 1/8`, then `./bootstrap test -L quick`.
+# Whole: both commands as they are, and then the suite at 1/8 by root in a clone of root's. Root installs the packages.
 # A chroot stays in the folder (default: /var/tmp/orbs-platforms) and is used again, clones are made anew; logs lie in
 # <folder>/<suite>.log. It needs root, debootstrap, and a network.
 # Ends with 0 if all went well; 1 if a build or a test has failed; 77 if a chroot could not be made or the limit was
 # reached, which says nothing of orbs.
 set -uo pipefail
 here=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
-mirror=${ORBS_MIRROR:-http://deb.debian.org/debian}
+debian=${ORBS_MIRROR:-http://deb.debian.org/debian}
+ubuntu=${ORBS_UBUNTU_MIRROR:-http://archive.ubuntu.com/ubuntu}
 folder=/var/tmp/orbs-platforms whole=no limit=86400 suites=()
 while (($# > 0)); do
   case $1 in
@@ -42,7 +42,14 @@ make_chroot() {  # <suite> <root>
   if [[ -e $2/made ]]; then return 0; fi
   rm -rf --one-file-system -- "$2"
   mkdir -p -- "$2"
-  within debootstrap --variant=minbase "$1" "$2" "$mirror" >>"$log" 2>&1 || return 1
+  local from=("$1" "$2" "$debian")
+  case $1 in
+    noble | resolute)
+      # The debootstrap of Debian 12 knows no Ubuntu of this age and has none of its keys. Its script of gutsy is that of
+      # all later ones, and what is not checked stays in this chroot.
+      from=(--components=main,universe --no-check-gpg "$1" "$2" "$ubuntu" gutsy) ;;
+  esac
+  within debootstrap --variant=minbase "${from[@]}" >>"$log" 2>&1 || return 1
   # What lets this machine reach the network: its name server, its certificates and its proxy, if it has one.
   cp /etc/resolv.conf /etc/hosts "$2/etc/" 2>/dev/null
   cp -r /etc/apt/apt.conf.d/*proxy* "$2/etc/apt/apt.conf.d/" 2>/dev/null
@@ -85,6 +92,16 @@ clone() {  # <user>: into its home
   chroot "$root" chown -R "$1:" "/users/$1"
 }
 
+# use_command <command with its options>: what it needs by root, then the command by a plain user.
+use_command() {
+  local home="$root/users/tester/check out"
+  # No fault of ours if the mirror does not answer.
+  step "by root: ./bootstrap install ${1%% *}" root "apt-get update && '/users/root/check out/bootstrap' install ${1%% *}" || return 77
+  say "$suite: $(chroot "$root" dpkg-query --show | wc -l) packages, $(du -smx --exclude=users "$root/" | cut -f1) MB, $(du -smx "$root/var/cache/apt/archives" | cut -f1) MB of which were fetched"
+  step "by a plain user: ./bootstrap $1" tester "cd \"\$HOME/check out\" && ./bootstrap $1" || return
+  say "$suite: build folder $(du -smx "$home/build" | cut -f1) MB"
+}
+
 test_suite() {  # <suite>
   suite=$1 root=$folder/$1 log=$folder/$1.log
   mkdir -p "$folder"
@@ -95,19 +112,10 @@ test_suite() {  # <suite>
   in_chroot "$root" root true >>"$log" 2>&1 || { cannot "$suite: nothing can be run in the chroot: $log"; return; }
   chroot "$root" id tester >/dev/null 2>&1 || chroot "$root" useradd --home-dir /users/tester tester
   clone tester && clone root || { cannot "$suite: git could not clone: $log"; return; }
-  say "$suite: $(sed -n 's/^PRETTY_NAME=//p' "$root/etc/os-release"), $(chroot "$root" dpkg-query --show | wc -l) packages, $(du -smx "$root/" | cut -f1) MB"
-  local command
-  for command in run test; do
-    # No fault of ours if the mirror does not answer.
-    step "packages, by root: ./bootstrap install $command" root "apt-get update && '/users/root/check out/bootstrap' install $command" || return 77
-    say "$suite: $(chroot "$root" dpkg-query --show | wc -l) packages, $(du -smx "$root/" | cut -f1) MB, of which $(du -smx "$root/var/cache/apt/archives" | cut -f1) MB as fetched"
-  done
+  say "$suite: $(sed -n 's/^PRETTY_NAME=//p' "$root/etc/os-release"), $(chroot "$root" dpkg-query --show | wc -l) packages, $(du -smx --exclude=users "$root/" | cut -f1) MB"
   local size=' --size 1/8' label=' -L quick'
   if [[ $whole == yes ]]; then size='' label=''; fi
-  step "by a plain user: ./bootstrap run$size" tester "cd \"\$HOME/check out\" && ./bootstrap run$size" || return
-  say "$suite: build folder $(du -smx "$root/users/tester/check out/build" | cut -f1) MB"
-  step "by a plain user: ./bootstrap test$label" tester "cd \"\$HOME/check out\" && ./bootstrap test$label" || return
-  say "$suite: build folder $(du -smx "$root/users/tester/check out/build" | cut -f1) MB"
+  use_command "run$size" && use_command "test$label" || return
   if [[ $whole == no ]]; then return 0; fi
   step "by root, anew: ./bootstrap run --size 1/8" root 'cd "$HOME/check out" && ./bootstrap run --size 1/8'
 }
