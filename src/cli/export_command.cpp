@@ -50,16 +50,16 @@ void check_format(const run::Plan& plan, const std::string& format) {
                                    renderer.entry.format.name, named_formats().at(format)));
 }
 
-std::string next_step(const run::Plan& plan, const std::string& folder) {
+std::string next_step(const run::Plan& plan, const std::string& folder, const std::string& orbs) {
   const bool has_programs =
       std::none_of(plan.renderers.begin(), plan.renderers.end(),
                    [](const auto& renderer) { return renderer.entry.command.is_elsewhere; });
-  return has_programs
-             ? fmt::format("sh {}/render.sh, where the renderer is; then here: orbs judge {}", folder, folder)
-             : fmt::format(
-                   "render the images that {}/export.json lists and put each in its place there, or "
-                   "RENDERER=... sh render.sh; then here: orbs judge {}",
-                   folder, folder);
+  return has_programs ? fmt::format("sh {}/render.sh, where the renderer is; then here: {} judge {}", folder,
+                                    orbs, folder)
+                      : fmt::format(
+                            "render the images that {}/export.json lists and put each in its place there, or "
+                            "RENDERER=... sh render.sh; then here: {} judge {}",
+                            folder, orbs, folder);
 }
 
 int export_scenes(const command_line::Command& command,
@@ -79,7 +79,7 @@ int export_scenes(const command_line::Command& command,
   run::write_plan(run::filed_plan(plan, program.version), folder);
   print_clean("{} renders written to {}\n", exported.renders, folder.string());
   for (const auto& left : exported.left_out) print_clean("left out: {}\n", left);
-  print_clean("next: {}\n", next_step(plan, folder.string()));
+  print_clean("next: {}\n", next_step(plan, folder.string(), called_as(program.command_line)));
   return 0;
 }
 

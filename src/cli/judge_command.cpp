@@ -47,7 +47,8 @@ int judge(const Options& options, const std::string& configuration, const Progra
   print_clean("\n{}\nresults: {}\n", report::summary_text(record, report::style_for(STDOUT_FILENO)),
               folder.string());
   const auto relative = folder.lexically_proximate(std::filesystem::current_path()).string();
-  print_clean("next: {}   (shows the images in the browser)\n", shell_text({"orbs", "serve", relative}));
+  print_clean("next: {}   (shows the images in the browser)\n",
+              shell_text({called_as(program.command_line), "serve", relative}));
   return results::exit_status(record);
 }
 

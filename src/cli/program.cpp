@@ -110,6 +110,14 @@ int refuse_output() {
 
 }  // namespace
 
+std::string called_as(const std::vector<std::string>& command_line) {
+  if (command_line.empty() || command_line[0].find('/') == std::string::npos) return "orbs";
+  const auto program = std::filesystem::absolute(command_line[0]).lexically_normal();
+  const auto near = program.lexically_proximate(std::filesystem::current_path()).string();
+  if (near.starts_with("..")) return program.string();
+  return near.find('/') == std::string::npos ? "./" + near : near;
+}
+
 int run_program(int argc, char** argv, const std::string& version) {
   try {
     const int status = parse_and_act(argc, argv, version);

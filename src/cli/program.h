@@ -17,6 +17,10 @@ struct Program {
   std::vector<std::string> command_line;
 };
 
+/// How the program was called, for commands that are shown and can be pasted: "orbs" where the shell had
+/// found it, else its path from the working folder.
+std::string called_as(const std::vector<std::string>& command_line);
+
 /// The work of the chosen command, called after all options are read. Returns the exit status.
 using Action = std::function<int()>;
 

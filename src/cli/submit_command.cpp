@@ -84,7 +84,8 @@ int submit_plan(const registry::Configuration& configuration,
   run::write_slurm_job(job);
   const auto submitted = [&] { return submit_shards(job, all_shards(job), {}); };
   return with_note(fmt::format("submitting {}; once the reason is mended, {} submits it", job.folder.string(),
-                               shell_text({"orbs", "submit", "--slurm", "--resume", job.folder.string()})),
+                               shell_text({called_as(program.command_line), "submit", "--slurm", "--resume",
+                                           job.folder.string()})),
                    submitted);
 }
 

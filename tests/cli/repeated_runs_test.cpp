@@ -16,7 +16,7 @@ TEST(MaxFail, EndsTheRunAfterSoManyFailures) {
   EXPECT_EQ(answer.status, 1) << answer.text;
   EXPECT_TRUE(contains(answer.text, "ended after 1 failed target (--maxfail)")) << answer.text;
   EXPECT_TRUE(contains(answer.text, "skipped")) << answer.text;
-  EXPECT_TRUE(contains(answer.text, "next: orbs run --resume out")) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "next: " ORBS_BINARY_DIR "/orbs run --resume out")) << answer.text;
   // Without the option it goes on to the end.
   const auto rest = sandbox.orbs({"run", "--resume", "out"});
   EXPECT_EQ(rest.status, 1) << rest.text;

@@ -37,7 +37,7 @@ TEST(Terminal, ARunSaysWhatItWillDoAndEndsWithTheNextCommand) {
   EXPECT_TRUE(
       contains(first.text, "suite t with good: 1 render; no earlier run here says how long they take"))
       << first.text;
-  EXPECT_TRUE(contains(first.text, "next: orbs serve outputs-")) << first.text;
+  EXPECT_TRUE(contains(first.text, "next: " ORBS_BINARY_DIR "/orbs serve outputs-")) << first.text;
   const auto second = sandbox.orbs({"run", "-r", "good", "-s", "grey,mirror"});
   EXPECT_TRUE(contains(second.text, "2 renders, about ")) << second.text;
   EXPECT_TRUE(contains(second.text, " s for 1 of them, the others have no recorded time")) << second.text;
@@ -58,7 +58,7 @@ TEST(Terminal, AnInterruptIsToldInOneLine) {
   EXPECT_EQ(count_of(answer.text, "skipped;"), 1U) << answer.text;
   EXPECT_FALSE(contains(answer.text, "before its turn")) << answer.text;
   EXPECT_TRUE(contains(answer.text, "renders were skipped; what was finished stands above.")) << answer.text;
-  EXPECT_TRUE(contains(answer.text, "next: orbs run --resume out")) << answer.text;
+  EXPECT_TRUE(contains(answer.text, "next: " ORBS_BINARY_DIR "/orbs run --resume out")) << answer.text;
 }
 
 TEST(Terminal, HasABarWithWhatIsRunning) {

@@ -1,6 +1,7 @@
 #include "cli/run/resume_hint.h"
 
 #include "base/text.h"
+#include "cli/program.h"
 
 #include <array>
 #include <string_view>
@@ -27,7 +28,7 @@ std::size_t folder_words(const std::vector<std::string>& words, std::size_t i) {
 
 std::vector<std::string> resume_command(const std::vector<std::string>& command_line,
                                         const std::string& folder) {
-  std::vector<std::string> words{"orbs"};
+  std::vector<std::string> words{called_as(command_line)};
   for (std::size_t i = 1; i < command_line.size();) {
     const auto folders = folder_words(command_line, i);
     if (folders == 0) words.push_back(command_line[i]);
@@ -44,7 +45,7 @@ std::string next_line(const std::vector<std::string>& command_line,
   if (!is_finished)
     return fmt::format("next: {}   (continues this study)\n",
                        shell_text(resume_command(command_line, folder)));
-  return fmt::format("next: {}   ({})\n", shell_text({"orbs", "serve", folder}), shows);
+  return fmt::format("next: {}   ({})\n", shell_text({called_as(command_line), "serve", folder}), shows);
 }
 
 }  // namespace orbs::cli

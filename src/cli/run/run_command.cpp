@@ -86,7 +86,8 @@ results::RunRecord render_with_progress(const run::Plan& plan,
   } catch (const InputError&) {
     std::error_code ignored;
     if (std::filesystem::exists(folder / "run.json", ignored))
-      print_clean(stderr, "{} continues the run\n", shell_text({"orbs", "run", "--resume", folder.string()}));
+      print_clean(stderr, "{} continues the run\n",
+                  shell_text({called_as(context.command_line), "run", "--resume", folder.string()}));
     throw;
   }
 }
@@ -112,7 +113,7 @@ results::RunRecord run_plan(const Planned& planned, const Program& program, cons
   const auto accepted = accepts ? run::accept_failures(configuration, options.accept_failures, record) : 0;
   if (accepted > 0) report::write_reports(record, folder);
   // Of runs that are repeated there is one summary, of all.
-  if (plan.settings.repeat == 1) print_end(record, plan.settings, folder);
+  if (plan.settings.repeat == 1) print_end(record, plan.settings, folder, program);
   if (accepts)
     print_clean("{} known failure{} written to {}\n", accepted, accepted == 1 ? "" : "s",
                 configuration.own_file.string());

@@ -108,7 +108,8 @@ bool ended_by_failures(const results::RunRecord& record, const registry::RunSett
 
 void print_end(const results::RunRecord& record,
                const registry::RunSettings& settings,
-               const std::filesystem::path& folder) {
+               const std::filesystem::path& folder,
+               const Program& program) {
   auto style = report::style_for(STDOUT_FILENO);
   style.whole_reasons = settings.verbose;
   if (settings.quiet)
@@ -134,9 +135,10 @@ void print_end(const results::RunRecord& record,
   if (settings.quiet) return;
   print_clean("\n{}", report_card_text(record));
   const auto relative = folder.lexically_proximate(std::filesystem::current_path()).string();
+  const auto orbs = called_as(program.command_line);
   const std::vector<std::string> argv = record.interrupted
-                                            ? std::vector<std::string>{"orbs", "run", "--resume", relative}
-                                            : std::vector<std::string>{"orbs", "serve", relative};
+                                            ? std::vector<std::string>{orbs, "run", "--resume", relative}
+                                            : std::vector<std::string>{orbs, "serve", relative};
   print_clean("next: {}   ({})\n", shell_text(argv),
               record.interrupted ? "continues this run" : "shows the images in the browser");
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cli/program.h"
 #include "registry/run_settings.h"
 #include "results/record.h"
 
@@ -19,7 +20,8 @@ bool ended_by_failures(const results::RunRecord& record, const registry::RunSett
 /// slowest renders, the folder and what can be done next.
 void print_end(const results::RunRecord& record,
                const registry::RunSettings& settings,
-               const std::filesystem::path& folder);
+               const std::filesystem::path& folder,
+               const Program& program);
 
 /// One line for each target whose verdict differs between the runs, "flaky"; the counts of all others. The
 /// runs differ by their seeds.
