@@ -53,7 +53,7 @@ make_chroot() {  # <suite> <root>
   # What lets this machine reach the network: its name server, its certificates and its proxy, if it has one.
   cp /etc/resolv.conf /etc/hosts "$2/etc/" 2>/dev/null
   cp -r /etc/apt/apt.conf.d/*proxy* "$2/etc/apt/apt.conf.d/" 2>/dev/null
-  if [[ -e /etc/npmrc ]]; then cp /etc/npmrc "$2/etc/"; fi
+  cp /etc/ssl/certs/ca-certificates.crt "$2/etc/certificates-of-host.crt" 2>/dev/null
   touch "$2/made"
 }
 
@@ -63,6 +63,7 @@ in_chroot() {
   for name in http_proxy https_proxy no_proxy HTTP_PROXY HTTPS_PROXY NO_PROXY; do
     if [[ -v $name ]]; then names+=("$name=${!name}"); fi
   done
+  if [[ -e $1/etc/certificates-of-host.crt ]]; then names+=(npm_config_cafile=/etc/certificates-of-host.crt); fi
   within unshare --mount --pid --fork --kill-child bash -c '
     set -e
     root=$1 user=$2 line=$3
