@@ -239,27 +239,13 @@ std::string unexpected(std::string_view word,
   return fmt::format("'orbs {}' has no option {}{}", trim(words), name, closest(name, known));
 }
 
-// "0.000000 to 1000000.000000", as CLI11 writes the limits of a number that is no integer.
-std::string plain_range(const std::string& range) {
-  constexpr std::string_view kTo = " to ";
-  const auto at = range.find(kTo);
-  if (at == std::string::npos || range.find('.') == std::string::npos) return range;
-  return fmt::format("{}{}{}", std::stod(range), kTo, std::stod(range.substr(at + kTo.size())));
-}
-
-// CLI11's "<option>: Value x not in range 1 to 8" and "<option>: x not in {a,b}".
+// CLI11's "<option>: x not in {a,b}".
 std::string expected_value(const std::string& text) {
-  constexpr std::string_view kRange = " not in range ";
-  constexpr std::string_view kValue = "Value ";
   constexpr std::string_view kList = " not in {";
   const auto colon = text.find(": ");
   if (colon == std::string::npos) return text;
   const auto option = text.substr(0, colon + 2);
   const auto rest = text.substr(colon + 2);
-  if (const auto at = rest.find(kRange); at != std::string::npos && rest.starts_with(kValue))
-    return fmt::format("{}expected a number from {}, not '{}'", option,
-                       plain_range(rest.substr(at + kRange.size())),
-                       rest.substr(kValue.size(), at - kValue.size()));
   if (const auto at = rest.find(kList); at != std::string::npos && rest.ends_with('}')) {
     const auto words = split(rest.substr(at + kList.size(), rest.size() - at - kList.size() - 1), ',');
     const auto found = rest.substr(0, at);

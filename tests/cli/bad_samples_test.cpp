@@ -20,7 +20,7 @@ constexpr const char* kCamera =
 
 Answer render(const Sandbox& sandbox, const std::string& scene, const std::string& more = "") {
   sandbox.write("scene.json", fmt::format("{{{}, {}}}", kCamera, scene));
-  return sandbox.shell(ORBS_BINARY_DIR "/orbs-tracer scene.json -o out.exr --spp 16 " + more);
+  return sandbox.shell(ORBS_BINARY_WORD "/orbs-tracer scene.json -o out.exr --spp 16 " + more);
 }
 
 std::string count(const Sandbox& sandbox, const std::string& attribute) {

@@ -29,7 +29,7 @@ struct Stand {
         fmt::format("XDG_CONFIG_HOME={0}/user ORBS_SYSTEM_FOLDER={0}/system ", sandbox.folder().string());
   }
   Answer orbs(const std::string& arguments) const {
-    return sandbox.shell(environment + ORBS_BINARY_DIR "/orbs " + arguments);
+    return sandbox.shell(environment + ORBS_BINARY_WORD "/orbs " + arguments);
   }
   Sandbox sandbox;
   std::string environment;
@@ -125,7 +125,7 @@ TEST(ConfigurationLayers, AMistakeNamesTheFileAndTheLine) {
 TEST(ConfigurationLayers, ACopyOfTheShippedFileFindsTheCases) {
   const Stand stand;
   const auto shipped =
-      stand.sandbox.shell("sed 's|\"defaults\"|\"stands_alone\": true, \"defaults\"|' " ORBS_SOURCE_DIR
+      stand.sandbox.shell("sed 's|\"defaults\"|\"stands_alone\": true, \"defaults\"|' " ORBS_SOURCE_WORD
                           "/configuration.json > configuration.json");
   ASSERT_EQ(shipped.status, 0) << shipped.text;
   const auto answer = stand.orbs("run -r orbs,cycles -s 101 --size 1/8 --dry-run");

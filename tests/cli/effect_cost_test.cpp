@@ -78,8 +78,8 @@ namespace {
 
 // A tiny image of a scene of group E3, out.exr.
 cli_tests::Answer render_tiny(const Sandbox& sandbox, const std::string& scene, const std::string& more) {
-  return sandbox.shell(ORBS_BINARY_DIR "/orbs-tracer " ORBS_SOURCE_DIR
-                                       "/data/cases/appearance/e3_polarisation/" +
+  return sandbox.shell(ORBS_BINARY_WORD "/orbs-tracer " ORBS_SOURCE_WORD
+                                        "/data/cases/appearance/e3_polarisation/" +
                        scene + ".json -o out.exr --spp 4 --width 8 --height 8 " + more);
 }
 

@@ -17,10 +17,10 @@ namespace {
 const std::string kShipped = ORBS_SOURCE_DIR "/configuration.json";
 // Who renders has a program of his own, which reads the description and the meshes.
 const std::string kRenderer =
-    "chmod +x render-there; ORBS_TRACER=" ORBS_BINARY_DIR "/orbs-tracer RENDERER=$PWD/render-there ";
+    "chmod +x render-there; ORBS_TRACER=" ORBS_BINARY_WORD "/orbs-tracer RENDERER=$PWD/render-there ";
 
 Answer judged_elsewhere(const Sandbox& sandbox, const std::string& renderer, const std::string& scenes) {
-  sandbox.write("render-there", "#!/bin/sh\nexec /usr/bin/python3 " ORBS_SOURCE_DIR
+  sandbox.write("render-there", "#!/bin/sh\nexec /usr/bin/python3 " ORBS_SOURCE_WORD
                                 "/tests/cli/description_renderer.py \"$@\"\n");
   const auto exported = sandbox.orbs({"export", "--configuration", kShipped, "-r", renderer, "-s", scenes,
                                       "--size", "1/8", "--spp-scale", "2", "-o", "out"});
@@ -66,7 +66,7 @@ TEST(Elsewhere, ItsScriptAsksForTheProgram) {
   const auto without = sandbox.shell("unset RENDERER; sh out/render.sh");
   EXPECT_NE(without.status, 0);
   EXPECT_TRUE(contains(without.text, "RENDERER: is not set: the program that renders")) << without.text;
-  EXPECT_EQ(sandbox.shell("RENDERER=" ORBS_BINARY_DIR "/orbs-fake-renderer sh out/render.sh").status, 0);
+  EXPECT_EQ(sandbox.shell("RENDERER=" ORBS_BINARY_WORD "/orbs-fake-renderer sh out/render.sh").status, 0);
   EXPECT_EQ(sandbox.orbs({"judge", "out", "-o", "judged"}).status, 0);
 }
 
@@ -74,7 +74,7 @@ TEST(Elsewhere, ItsScriptAsksForTheProgram) {
 TEST(Elsewhere, AnImageMayComeBackAsPfm) {
   const Sandbox sandbox;
   sandbox.orbs({"export", "-r", "good", "-s", "grey", "-o", "out"});
-  sandbox.shell("RENDERER=" ORBS_BINARY_DIR "/orbs-fake-renderer sh out/render.sh");
+  sandbox.shell("RENDERER=" ORBS_BINARY_WORD "/orbs-fake-renderer sh out/render.sh");
   const auto exr = sandbox.folder() / "out/good/grey/result.exr";
   const auto image = orbs::image::read_image(exr);
   std::filesystem::remove(exr);

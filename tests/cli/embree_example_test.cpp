@@ -44,9 +44,10 @@ TEST_F(EmbreeExample, RefusesWhatItDoesNotKnow) {
                                        "embree", "--suite", "known", "-s", "furnace-plane", "-o", "out"});
   ASSERT_EQ(exported.status, 0) << exported.text;
   const auto convert = [&](const std::string& change) {
-    return sandbox_.shell("cd out/embree/furnace-plane && sed '" + change +
-                          "' scene.json > changed.json && /usr/bin/python3 " + kExample +
-                          "embree_pathtracer.py changed.json a.exr --program false --spp 1 --threads 1");
+    return sandbox_.shell(
+        "cd out/embree/furnace-plane && sed '" + change +
+        "' scene.json > changed.json && /usr/bin/python3 " ORBS_SOURCE_WORD
+        "/examples/embree-pathtracer/embree_pathtracer.py changed.json a.exr --program false --spp 1 --threads 1");
   };
   EXPECT_TRUE(
       contains(convert("s/\"lambert\"/\"glass\"/").text, "a material of the type glass is not known here"));

@@ -19,7 +19,7 @@ std::string verdicts(const Sandbox& sandbox, const std::string& folder) {
 }
 
 // The other machine says which program it is.
-const std::string kProgram = "RENDERER=" ORBS_BINARY_DIR "/orbs-fake-renderer ";
+const std::string kProgram = "RENDERER=" ORBS_BINARY_WORD "/orbs-fake-renderer ";
 
 }  // namespace
 
@@ -86,7 +86,7 @@ TEST(Export, NamesNoFolderOfThisMachine) {
   const auto exported = sandbox.orbs({"export", "--format", "orbs", "-r", "good", "-s", "grey", "-o", "out"});
   ASSERT_EQ(exported.status, 0) << exported.text;
   const auto found =
-      sandbox.shell("grep -rlF -e " + sandbox.folder().string() + " -e " ORBS_BINARY_DIR " out");
+      sandbox.shell("grep -rlF -e " + sandbox.folder().string() + " -e " ORBS_BINARY_WORD " out");
   EXPECT_EQ(found.text, "") << sandbox.read("out/render.sh");
   EXPECT_TRUE(sandbox.has("out/programs/good/more.sh"));
   EXPECT_EQ(sandbox.shell("ls out/programs/good").text, "more.sh\nstart.sh\n");
@@ -126,11 +126,11 @@ TEST(Export, IsJudgedWhereverTheSuiteIs) {
   const Sandbox sandbox;
   sandbox.shell("mkdir here there && mv cases references configuration.json here");
   const auto exported =
-      sandbox.shell("cd here && " ORBS_BINARY_DIR "/orbs export --format orbs -r good -s grey -o ../out");
+      sandbox.shell("cd here && " ORBS_BINARY_WORD "/orbs export --format orbs -r good -s grey -o ../out");
   ASSERT_EQ(exported.status, 0) << exported.text;
   sandbox.shell("mv here there/suite && " + kProgram + "sh out/render.sh");
   const auto judged =
-      sandbox.shell("cd there/suite && " ORBS_BINARY_DIR "/orbs judge ../../out -o ../../judged");
+      sandbox.shell("cd there/suite && " ORBS_BINARY_WORD "/orbs judge ../../out -o ../../judged");
   EXPECT_EQ(judged.status, 0) << judged.text;
 }
 

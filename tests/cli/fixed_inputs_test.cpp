@@ -18,7 +18,7 @@ using cli_tests::Sandbox;
 
 namespace {
 
-constexpr const char* kFake = ORBS_BINARY_DIR "/orbs-fake-renderer";
+constexpr const char* kFake = ORBS_BINARY_WORD "/orbs-fake-renderer";
 
 void write_program(const Sandbox& sandbox, const std::string& name, const std::string& text) {
   sandbox.write(name, text);

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 Answer run_hostile(const Sandbox& sandbox, const std::string& lines) {
   sandbox.write("hostile",
                 fmt::format("#!/bin/sh\nroot={}\n{}/orbs-fake-renderer \"$@\" || exit\n{}\nexit 0\n",
-                            sandbox.folder().string(), ORBS_BINARY_DIR, lines));
+                            sandbox.folder().string(), ORBS_BINARY_WORD, lines));
   ::chmod((sandbox.folder() / "hostile").c_str(), 0755);
   return sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "-e", "./hostile", "-o", "out", "-j", "1"});
 }

@@ -87,7 +87,7 @@ void write_curious_renderer(const Sandbox& sandbox, const Surroundings& around) 
   sandbox.write("curious", fmt::format(kCurious, sandbox.folder().string(), around.folder.path().string(),
                                        around.shared.string(), ::getpid(), space("pid").string(),
                                        space("ipc").string(), space("uts").string(), space("net").string(),
-                                       space("mnt").string(), ORBS_BINARY_DIR));
+                                       space("mnt").string(), ORBS_BINARY_WORD));
   ::chmod((sandbox.folder() / "curious").c_str(), 0755);
   // Its folder is a repository, with copies of references under other names.
   sandbox.shell("mkdir .git mine other-references; echo ref: refs/heads/main > .git/HEAD");
@@ -105,7 +105,7 @@ Answer orbs_as(const Sandbox& sandbox, const std::string& user, const std::strin
   sandbox.shell("chmod -R a+rwX . && chmod a+rx curious");
   return sandbox.shell(fmt::format("{} {}/orbs {}",
                                    user.empty() ? "" : "setpriv --reuid=65534 --regid=65534 --clear-groups",
-                                   ORBS_BINARY_DIR, arguments));
+                                   ORBS_BINARY_WORD, arguments));
 }
 
 std::string said(const Sandbox& sandbox) { return sandbox.has("said") ? sandbox.read("said") : ""; }
@@ -179,7 +179,7 @@ TEST(Isolation, FoldersInMemoryAreLimited) {
   orbs::cli_tests::replace_in(sandbox, "configuration.json", R"("limits": {}, )", "");
   sandbox.write("hoarder", fmt::format("#!/bin/sh\nhead -c 80M /dev/zero > /dev/shm/x || exit 7\n"
                                        "exec {}/orbs-fake-renderer \"$@\"\n",
-                                       ORBS_BINARY_DIR));
+                                       ORBS_BINARY_WORD));
   ::chmod((sandbox.folder() / "hoarder").c_str(), 0755);
   const auto answer =
       sandbox.orbs({"run", "-r", "good", "-s", "grey", "-e", "./hoarder", "--sandbox", "-o", "out"});
@@ -213,7 +213,7 @@ TEST(Isolation, NoNamespacesCanBeMadeInIt) {
   sandbox.add_to_good(R"(, "readable": ["{build}"])");
   sandbox.write("nested", fmt::format("#!/bin/sh\nunshare -Ur true && exit 7\n"
                                       "exec {}/orbs-fake-renderer \"$@\"\n",
-                                      ORBS_BINARY_DIR));
+                                      ORBS_BINARY_WORD));
   ::chmod((sandbox.folder() / "nested").c_str(), 0755);
   const auto answer =
       sandbox.orbs({"run", "-r", "good", "-s", "grey", "-e", "./nested", "--sandbox", "-o", "out"});
@@ -236,7 +236,7 @@ TEST(Isolation, LimitsEndWhatRunsInIt) {
 TEST(Isolation, WithoutBubblewrapTheRunIsRefused) {
   const Sandbox sandbox;
   const Answer answer = sandbox.shell(
-      fmt::format("PATH=/nowhere {}/orbs run -r good -s grey --sandbox -o out", ORBS_BINARY_DIR));
+      fmt::format("PATH=/nowhere {}/orbs run -r good -s grey --sandbox -o out", ORBS_BINARY_WORD));
   EXPECT_EQ(answer.status, 2);
   EXPECT_NE(answer.text.find("install bubblewrap, or run without --sandbox"), std::string::npos)
       << answer.text;

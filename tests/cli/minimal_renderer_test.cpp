@@ -13,7 +13,7 @@ using orbs::cli_tests::Sandbox;
 namespace {
 
 const std::string kFolder = ORBS_BINARY_DIR "/minimal-renderer/";
-const std::string kProgram = kFolder + "minimal-renderer";
+const std::string kProgram = ORBS_BINARY_WORD "/minimal-renderer/minimal-renderer";  // as a word of the shell
 
 Answer run(const Sandbox& sandbox, const std::string& renderer, const std::string& scenes) {
   return sandbox.orbs({"run", "--configuration", kFolder + "bugs.json", "-r", renderer, "-s", scenes,

@@ -177,7 +177,7 @@ TEST(NumericFaults, AreNotInTheTracer) {
   const auto render = [&](const std::string& program, const std::string& more) {
     return sandbox.shell(
         fmt::format("{}/{} {}/data/bench/cornell-box.json -o {}.exr --spp 4 --width 32 --height 32 {}",
-                    ORBS_BINARY_DIR, program, kRoot.string(), program, more));
+                    ORBS_BINARY_WORD, program, ORBS_SOURCE_WORD, program, more));
   };
   EXPECT_EQ(render("orbs-tracer", "--fault no-ray-offset").status, 2);
   ASSERT_EQ(render("orbs-tracer", "").status, 0);

@@ -99,7 +99,7 @@ TEST(Doctor, NamesScenesOfAnEntryThatNoSuiteHas) {
 
 TEST(StandardOutput, ThatCannotBeWrittenIsNoSuccess) {
   const Sandbox sandbox;
-  const auto answer = sandbox.shell(ORBS_BINARY_DIR "/orbs list > /dev/full");
+  const auto answer = sandbox.shell(ORBS_BINARY_WORD "/orbs list > /dev/full");
   EXPECT_EQ(answer.status, 2);
   EXPECT_EQ(answer.text, "orbs: standard output cannot be written: No space left on device\n");
 }

@@ -39,7 +39,7 @@ TEST(PlanFile, RendersEqualJobsInACopyOfTheSuiteAtAnotherPlace) {
   // The node must not look at the place where the plan was made.
   fs::rename(sandbox.folder() / "cases", sandbox.folder() / "gone");
   const auto answer = sandbox.shell(
-      fmt::format("cd node && {}/orbs run --plan deeper/local/plan.json -o ../again", ORBS_BINARY_DIR));
+      fmt::format("cd node && {}/orbs run --plan deeper/local/plan.json -o ../again", ORBS_BINARY_WORD));
   EXPECT_TRUE(contains(answer.text, "node/deeper/configuration.json")) << answer.text;
   for (const char* job : {"good/grey", "good/mirror", "good/v1.5", "noisy/grey"}) {
     const auto here = job_of(sandbox, std::string("local/") + job);

@@ -17,7 +17,7 @@ std::string configuration_with_mistake(const std::string& sed) {
                "references": ")" ORBS_SOURCE_DIR R"(/data/references/orbs" }],
   "renderers": [{ "name": "mistaken", "executable": "/bin/sh", "declares": "G5/M8/L4/A4",
     "command": ["{executable}", "-c", ")" +
-         sed + R"( \"$1\" > wrong.json && exec {build}/orbs-tracer wrong.json -o \"$2\" --spp 1",
+         sed + R"( \"$1\" > wrong.json && exec '{build}'/orbs-tracer wrong.json -o \"$2\" --spp 1",
                 "converter", "{scene}", "{output}"] }] })";
 }
 
@@ -112,7 +112,7 @@ std::string configuration_of_everyday() {
     "command": ["{executable}", "{scene}", "-o", "{output}", "--spp", "4"] },
   { "name": "first-alone", "executable": "/bin/sh", "declares": "G5/M8/L4/A4/D6/N6",
     "command": ["{executable}", "-c",
-                "sed -E 's/\"uv_set\": *1/\"uv_set\": 0/' \"$1\" > wrong.json && exec {build}/orbs-tracer wrong.json -o \"$2\" --spp 4",
+                "sed -E 's/\"uv_set\": *1/\"uv_set\": 0/' \"$1\" > wrong.json && exec '{build}'/orbs-tracer wrong.json -o \"$2\" --spp 4",
                 "converter", "{scene}", "{output}"] },
   { "name": "unsigned", "executable": "{build}/orbs-tracer", "declares": "G5/M8/L4/A4/D6/N6",
     "command": ["{executable}", "{scene}", "-o", "{output}", "--spp", "4", "--fault", "frames-without-sign"] }] })";

@@ -16,7 +16,9 @@ TEST(MaxFail, EndsTheRunAfterSoManyFailures) {
   EXPECT_EQ(answer.status, 1) << answer.text;
   EXPECT_TRUE(contains(answer.text, "ended after 1 failed target (--maxfail)")) << answer.text;
   EXPECT_TRUE(contains(answer.text, "skipped")) << answer.text;
-  EXPECT_TRUE(contains(answer.text, "next: " ORBS_BINARY_DIR "/orbs run --resume out")) << answer.text;
+  EXPECT_TRUE(
+      contains(answer.text, "next: " + shell_text({ORBS_BINARY_DIR "/orbs", "run", "--resume", "out"})))
+      << answer.text;
   // Without the option it goes on to the end.
   const auto rest = sandbox.orbs({"run", "--resume", "out"});
   EXPECT_EQ(rest.status, 1) << rest.text;
@@ -62,7 +64,7 @@ TEST(Repeat, OtherSeedsNameTheFlakyTargets) {
   // Right with odd seeds only.
   sandbox.write(
       "flaky.sh",
-      "#!/bin/sh\ngrey=0.5\n[ $(($3 / 16 % 2)) = 0 ] || grey=0.2\nexec " ORBS_BINARY_DIR
+      "#!/bin/sh\ngrey=0.5\n[ $(($3 / 16 % 2)) = 0 ] || grey=0.2\nexec " ORBS_BINARY_WORD
       "/orbs-fake-renderer --mode good --output \"$1\" --scene \"$2\" --width 12 --height 8 --grey $grey --spp 8 --seed \"$3\"\n");
   std::filesystem::permissions(sandbox.folder() / "flaky.sh", std::filesystem::perms::owner_all);
   replace_in(sandbox, "configuration.json", "\"renderers\": [",
@@ -142,7 +144,7 @@ TEST(Estimates, ComeWithTheProgramForEverySuiteSizeAndRenderer) {
   for (const char* suite : {"orbs", "appearance", "gi"}) {
     const auto answer = sandbox.shell(fmt::format(
         "{}/orbs run --dry-run --configuration {}/configuration.json --suite {} -r orbs 2>&1 | grep renders",
-        ORBS_BINARY_DIR, ORBS_SOURCE_DIR, suite));
+        ORBS_BINARY_WORD, ORBS_SOURCE_WORD, suite));
     EXPECT_TRUE(contains(answer.text, " renders, about ")) << suite << "\n" << answer.text;
     EXPECT_FALSE(contains(answer.text, "no recorded time")) << suite << "\n" << answer.text;
   }

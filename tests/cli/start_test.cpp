@@ -32,7 +32,7 @@ TEST(Start, NoProgramLoadsManyLibraries) {
   for (const char* program : {"orbs", "orbs-tracer", "orbs-supervisor"}) {
     // What ldd sets: the loader lists what it would load, one a line.
     std::istringstream libraries(
-        output_of(std::string("LD_TRACE_LOADED_OBJECTS=1 " ORBS_BINARY_DIR "/") + program));
+        output_of(std::string("LD_TRACE_LOADED_OBJECTS=1 " ORBS_BINARY_WORD "/") + program));
     int count = 0;
     std::string all;
     for (std::string line; std::getline(libraries, line); ++count) all += line + '\n';

@@ -91,7 +91,7 @@ TEST(Strangers, NamesThatTheSystemRefusesAreRefusedAndNoInternalError) {
     EXPECT_EQ(answer.status, 2) << arguments.front() << ": " << answer.text;
     EXPECT_FALSE(contains(answer.text, "internal error")) << answer.text;
   }
-  const auto gone = sandbox.shell("mkdir gone && cd gone && rmdir ../gone && " ORBS_BINARY_DIR "/orbs list");
+  const auto gone = sandbox.shell("mkdir gone && cd gone && rmdir ../gone && " ORBS_BINARY_WORD "/orbs list");
   EXPECT_EQ(gone.status, 2) << gone.text;
 }
 

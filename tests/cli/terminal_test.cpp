@@ -24,7 +24,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
   return count;
 }
 
-constexpr const char* kOrbs = ORBS_BINARY_DIR "/orbs";
+constexpr const char* kOrbs = ORBS_BINARY_WORD "/orbs";
 
 }  // namespace
 
@@ -37,7 +37,8 @@ TEST(Terminal, ARunSaysWhatItWillDoAndEndsWithTheNextCommand) {
   EXPECT_TRUE(
       contains(first.text, "suite t with good: 1 render; no earlier run here says how long they take"))
       << first.text;
-  EXPECT_TRUE(contains(first.text, "next: " ORBS_BINARY_DIR "/orbs serve outputs-")) << first.text;
+  EXPECT_TRUE(contains(first.text, "next: " + shell_text({ORBS_BINARY_DIR "/orbs"}) + " serve outputs-"))
+      << first.text;
   const auto second = sandbox.orbs({"run", "-r", "good", "-s", "grey,mirror"});
   EXPECT_TRUE(contains(second.text, "2 renders, about ")) << second.text;
   EXPECT_TRUE(contains(second.text, " s for 1 of them, the others have no recorded time")) << second.text;
@@ -58,13 +59,15 @@ TEST(Terminal, AnInterruptIsToldInOneLine) {
   EXPECT_EQ(count_of(answer.text, "skipped;"), 1U) << answer.text;
   EXPECT_FALSE(contains(answer.text, "before its turn")) << answer.text;
   EXPECT_TRUE(contains(answer.text, "renders were skipped; what was finished stands above.")) << answer.text;
-  EXPECT_TRUE(contains(answer.text, "next: " ORBS_BINARY_DIR "/orbs run --resume out")) << answer.text;
+  EXPECT_TRUE(
+      contains(answer.text, "next: " + shell_text({ORBS_BINARY_DIR "/orbs", "run", "--resume", "out"})))
+      << answer.text;
 }
 
 TEST(Terminal, HasABarWithWhatIsRunning) {
   const Sandbox sandbox;
-  const auto answer = sandbox.shell(
-      fmt::format("TERM=xterm COLUMNS=80 script -qec '{} run -r good -s grey' /dev/null", kOrbs));
+  const auto answer = sandbox.shell(fmt::format("TERM=xterm COLUMNS=80 script -qec {} /dev/null",
+                                                shell_text({fmt::format("{} run -r good -s grey", kOrbs)})));
   EXPECT_TRUE(contains(answer.text, "[....................] 0/1: good grey (0 s)")) << answer.text;
   EXPECT_FALSE(contains(sandbox.orbs({"run", "-r", "good", "-s", "grey"}).text, "[...."))
       << "no terminal, no bar";
@@ -84,7 +87,7 @@ TEST(Version, OfACommandThatFailsIsUnknownAndSaidOnce) {
   const Sandbox sandbox;
   sandbox.write("render", fmt::format("#!/bin/sh\n[ \"$1\" = --version ] || exec {} \"$@\"\n"
                                       "echo 'Traceback (most recent call last):'; exit 1\n",
-                                      ORBS_BINARY_DIR "/orbs-fake-renderer"));
+                                      ORBS_BINARY_WORD "/orbs-fake-renderer"));
   ::chmod((sandbox.folder() / "render").c_str(), 0755);
   const auto answer = sandbox.orbs({"run", "-r", "good", "-e", "./render", "-o", "out"});
   EXPECT_EQ(count_of(answer.text, "good: version unknown: "), 1U) << answer.text;
@@ -127,10 +130,10 @@ TEST(Completion, OffersCommandsTheirOptionsAndTheirWords) {
   const Sandbox sandbox;
   const auto completed = [&](const std::string& words, int at) {
     return sandbox
-        .shell(
-            fmt::format("{0} completion bash > c.sh && bash -c '. ./c.sh; COMP_WORDS=({1}); COMP_CWORD={2}; "
-                        "_orbs; echo ${{COMPREPLY[*]}}'",
-                        kOrbs, words, at))
+        .shell(fmt::format("{} completion bash > c.sh && bash -c {}", kOrbs,
+                           shell_text({fmt::format(". ./c.sh; COMP_WORDS=({}); COMP_CWORD={}; "
+                                                   "_orbs; echo ${{COMPREPLY[*]}}",
+                                                   words, at)})))
         .text;
   };
   EXPECT_EQ(completed("orbs ru", 1), "run\n");
@@ -173,7 +176,7 @@ TEST(Manual, OptionsStandWithTheirArguments) {
   const auto page = sandbox.orbs({"manual"}).text;
   EXPECT_TRUE(contains(page, ".B \\-j, \\-\\-jobs \\fINUMBER\\fR\n")) << page.substr(0, 2000);
   EXPECT_TRUE(contains(page, ".B \\-\\-json\n")) << page.substr(0, 2000);
-  const auto tracer = sandbox.shell(ORBS_BINARY_DIR "/orbs-tracer --manual");
+  const auto tracer = sandbox.shell(ORBS_BINARY_WORD "/orbs-tracer --manual");
   EXPECT_EQ(tracer.status, 0);
   EXPECT_TRUE(tracer.text.starts_with(".TH ORBS\\-TRACER 1 ")) << tracer.text.substr(0, 200);
   EXPECT_TRUE(contains(tracer.text, "\\-\\-spp \\fI")) << tracer.text;
@@ -181,7 +184,7 @@ TEST(Manual, OptionsStandWithTheirArguments) {
 
 TEST(Bootstrap, HelpOfRunBuildsNothing) {
   const Sandbox sandbox;
-  const auto answer = sandbox.shell(ORBS_SOURCE_DIR "/bootstrap run --help");
+  const auto answer = sandbox.shell(ORBS_SOURCE_WORD "/bootstrap run --help");
   EXPECT_EQ(answer.status, 0) << answer.text;
   EXPECT_TRUE(contains(answer.text, "--resume")) << answer.text;
   EXPECT_FALSE(contains(answer.text, "bootstrap: ")) << answer.text;

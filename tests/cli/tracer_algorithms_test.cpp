@@ -15,9 +15,10 @@ using namespace orbs;
 using cli_tests::Sandbox;
 
 const std::string kScene = ORBS_SOURCE_DIR "/data/bench/veach-plates.json";
+const std::string kSceneWord = ORBS_SOURCE_WORD "/data/bench/veach-plates.json";
 
 cli_tests::Answer render_tiny(const Sandbox& sandbox, const std::string& more) {
-  return sandbox.shell(ORBS_BINARY_DIR "/orbs-tracer " + kScene +
+  return sandbox.shell(ORBS_BINARY_WORD "/orbs-tracer " + kSceneWord +
                        " -o out.exr --spp 4 --width 8 --height 6 " + more);
 }
 
@@ -70,7 +71,7 @@ TEST(TracerFaults, ChangeTheImageAndAreNamedInIt) {
   const Sandbox sandbox;
   const auto rendered = [&](const std::string& scene, const std::string& fault) {
     const auto answer =
-        sandbox.shell(ORBS_BINARY_DIR "/orbs-tracer " ORBS_SOURCE_DIR "/data/cases/orbs/" + scene +
+        sandbox.shell(ORBS_BINARY_WORD "/orbs-tracer " ORBS_SOURCE_WORD "/data/cases/orbs/" + scene +
                       " -o out.exr --spp 16 --width 24 --height 24 --light-paths never" +
                       (fault.empty() ? "" : " --fault " + fault));
     EXPECT_EQ(answer.status, 0) << answer.text;
@@ -95,7 +96,7 @@ TEST(TracerFaults, ChangeTheImageAndAreNamedInIt) {
   const std::string matrices = "g3_inst_matrices/g3-matrices.json";
   EXPECT_FALSE(image::has_same_colours(rendered(matrices, "normals-by-matrix"), rendered(matrices, "")));
   const auto nothing =
-      sandbox.shell(ORBS_BINARY_DIR "/orbs-tracer " ORBS_SOURCE_DIR "/data/cases/orbs/" + depth_2 +
+      sandbox.shell(ORBS_BINARY_WORD "/orbs-tracer " ORBS_SOURCE_WORD "/data/cases/orbs/" + depth_2 +
                     " -o out.exr --spp 4 --width 8 --height 8 --fault raw-textures");
   EXPECT_NE(nothing.text.find("warning: --fault raw-textures changes nothing"), std::string::npos)
       << nothing.text;
@@ -105,8 +106,8 @@ TEST(TracerFaults, ChangeTheImageAndAreNamedInIt) {
 TEST(TracerAlgorithms, AlwaysWhereItCannotBeIsSaid) {
   const Sandbox sandbox;
   const auto said_of = [&](const std::string& scene, const std::string& more) {
-    const auto answer = sandbox.shell(ORBS_BINARY_DIR "/orbs-tracer " ORBS_SOURCE_DIR "/data/cases/" + scene +
-                                      " -o out.exr --spp 4 --width 8 --height 6 " + more);
+    const auto answer = sandbox.shell(ORBS_BINARY_WORD "/orbs-tracer " ORBS_SOURCE_WORD "/data/cases/" +
+                                      scene + " -o out.exr --spp 4 --width 8 --height 6 " + more);
     EXPECT_EQ(answer.status, 0) << answer.text;
     const auto attributes = image::read_image(sandbox.folder() / "out.exr").attributes;
     const auto ignored = attributes.find("orbs.ignored_options");
@@ -128,7 +129,7 @@ TEST(TracerAlgorithms, AlwaysWhereItCannotBeIsSaid) {
 TEST(TracerAlgorithms, AnImageOfFewPathsIsNotWorthATrial) {
   const Sandbox sandbox;
   const auto selection_at = [&](int width_px) {
-    const auto answer = sandbox.shell(ORBS_BINARY_DIR "/orbs-tracer " + kScene +
+    const auto answer = sandbox.shell(ORBS_BINARY_WORD "/orbs-tracer " + kSceneWord +
                                       " -o out.exr --spp 1 --height 64 --width " + std::to_string(width_px));
     EXPECT_EQ(answer.status, 0) << answer.text;
     return image::read_image(sandbox.folder() / "out.exr").attributes["orbs.light_selection"];

@@ -38,7 +38,7 @@ struct Part {
 };
 
 std::vector<Part> estimate(const std::string& scene, long paths, const std::vector<Rectangle>& where) {
-  auto command = fmt::format("{}/tests/gi-estimate {} {} {}", ORBS_BINARY_DIR, scene, paths, kSeed);
+  auto command = fmt::format("{}/tests/gi-estimate {} {} {}", ORBS_BINARY_WORD, scene, paths, kSeed);
   for (const auto& part : where) command += fmt::format(" {} {} {} {}", part.x0, part.y0, part.x1, part.y1);
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
   std::vector<Part> parts;
