@@ -73,13 +73,13 @@ void serve(const ServeSettings& settings,
   Site site;
   if (settings.editor) site.editor = &*settings.editor;
   site.listeners.stop = &stop;
-  site.bundle = load_bundle(settings.bundle);
   std::vector<std::filesystem::path> folders;
   for (const auto& folder : settings.runs) {
     site.runs.push_back(open_served(folder));
     folders.push_back(named(site.runs.back()));
   }
   site.names = run_names(folders);
+  site.bundle = load_bundle(settings.bundle);
   auto listener = listen_on(settings.address, settings.port, ConnectionLimits{}.backlog);
   GateSettings gate{is_loopback_address(settings.address)};
   if (settings.editor) gate.edit = EditGate{new_token(), listener.port};
