@@ -60,6 +60,7 @@ test  | chromium            | chromium            | chromium      | Chromium (te
 test  | dpkg-dev            | -                   | -             | dpkg-dev (test of the Debian package)
 test  | debootstrap         | debootstrap           | debootstrap   | debootstrap (tests/platforms)
 test  | bubblewrap          | bubblewrap          | bubblewrap    | bubblewrap (orbs run --sandbox)
+test  | file                | file                  | file          | file (CPack, for the Debian package)
 test  | munge               | munge               | munge         | munge (test of orbs submit)
 test  | slurmctld           | slurm-slurmctld     | slurm-llnl    | Slurm (test of orbs submit)
 test  | slurmd              | slurm-slurmd        | slurm-llnl    | Slurm (test of orbs submit)
