@@ -185,9 +185,9 @@ TEST(Run, ADryRunPrintsTheCommandsAndTouchesNothing) {
   const Sandbox sandbox;
   const auto answer = sandbox.orbs({"run", "-r", "good", "-c", "m1_grey", "--dry-run", "-o", "out"});
   EXPECT_EQ(answer.status, 0);
-  EXPECT_TRUE(contains(answer.text,
-                       "orbs-fake-renderer --mode good --output OUTPUT/good/grey/result.exr --scene "
-                       "OUTPUT/good/grey/scene.json"))
+  EXPECT_TRUE(contains(answer.text, orbs::shell_text({ORBS_BINARY_DIR "/orbs-fake-renderer"}) +
+                                        " --mode good --output OUTPUT/good/grey/result.exr --scene "
+                                        "OUTPUT/good/grey/scene.json"))
       << answer.text;
   EXPECT_FALSE(sandbox.has("out"));
 }
