@@ -24,7 +24,7 @@ manager=$(find_manager)
 experience() {
   case "$(os_value ID) $(os_value VERSION_ID)" in
     "debian 12") echo "each change is built and tested here" ;;
-    "debian 13") echo "orbs was built and renders here; its tests were not run" ;;
+    "debian 13") echo "the suite is right and the tests pass here" ;;
     "ubuntu 24.04" | "ubuntu 26.04") echo "orbs should build here, by the list of packages; it was not tried" ;;
     "fedora "* | "arch "*) echo "orbs should build here; bootstrap names the packages, by these systems' lists, and installs none" ;;
     *) echo "nobody has tried orbs here" ;;
