@@ -1,4 +1,5 @@
 // The algorithms that orbs-tracer can be told to use, and the renderers of data/bench/algorithms.json.
+#include "base/text.h"
 #include "image/image_io.h"
 #include "registry/configuration.h"
 #include "registry/placeholders.h"
@@ -43,9 +44,9 @@ TEST(TracerAlgorithms, EachRendererOfTheConfigurationUsesItsOwn) {
   std::map<std::string, std::map<std::string, std::string>> headers;
   std::map<std::string, bool> has_variances;
   for (const auto& renderer : configuration.renderers) {
-    std::string line;
-    for (const auto& word : registry::fill_placeholders(renderer.command.words, values)) line += word + " ";
-    const auto answer = sandbox.shell(line + "--width 8 --height 6");
+    auto words = registry::fill_placeholders(renderer.command.words, values);
+    words.insert(words.end(), {"--width", "8", "--height", "6"});
+    const auto answer = sandbox.shell(shell_text(words));
     ASSERT_EQ(answer.status, 0) << renderer.name << ": " << answer.text;
     auto image = image::read_image(sandbox.folder() / "out.exr");
     has_variances[renderer.name] = image.channels.size() > 3;
