@@ -12,7 +12,7 @@ fail() { echo "install_test: $*" >&2; exit 1; }
   { cat "$folder/cpack.log" >&2; fail "cpack failed"; }
 package=$(echo "$folder"/package/*.deb)
 depends=$(dpkg-deb -f "$package" Depends)
-for library in libembree3 libopenexr libpng libopenimageio libfmt libc6; do
+for library in libembree libopenexr libpng libopenimageio libfmt libc6; do
   case $depends in *"$library"*) ;; *) fail "the package does not depend on $library: $depends" ;; esac
 done
 dpkg-deb -x "$package" "$folder/root"
