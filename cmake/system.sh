@@ -58,9 +58,9 @@ test  | python3-jsonschema  | python3-jsonschema  | python-jsonschema | jsonsche
 test  | valgrind            | valgrind            | valgrind      | Valgrind
 test  | chromium            | chromium            | chromium      | Chromium (tests of the results page)
 test  | dpkg-dev            | -                   | -             | dpkg-dev (test of the Debian package)
-test  | debootstrap         | debootstrap           | debootstrap   | debootstrap (tests/platforms)
+test  | debootstrap         | debootstrap         | debootstrap   | debootstrap (tests/platforms)
 test  | bubblewrap          | bubblewrap          | bubblewrap    | bubblewrap (orbs run --sandbox)
-test  | file                | file                  | file          | file (CPack, for the Debian package)
+test  | file                | file                | file          | file (CPack, for the Debian package)
 test  | munge               | munge               | munge         | munge (test of orbs submit)
 test  | slurmctld           | slurm-slurmctld     | slurm-llnl    | Slurm (test of orbs submit)
 test  | slurmd              | slurm-slurmd        | slurm-llnl    | Slurm (test of orbs submit)

@@ -3,9 +3,11 @@
 #include "base/text.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <sstream>
 #include <string_view>
+#include <system_error>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -28,8 +30,10 @@ CLI::Validator number_check(bool (*holds)(double), const char* expected) {
 template <class Number>
 CLI::Validator number_within(Number least, Number most, const char* type) {
   const auto problem = [=](const std::string& text) -> std::string {
-    const auto number = to_number(text);
-    if (number && *number >= least && *number <= most) return "";
+    Number number{};
+    const auto* end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, number);
+    if (read.ec == std::errc{} && read.ptr == end && number >= least && number <= most) return "";
     return fmt::format("expected a number from {} to {}, not '{}'", least, most, text);
   };
   std::ostringstream help;

@@ -61,6 +61,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "'orbs run' has no option --rendrer (did you mean '--renderer'?)"},
         Mistake{"surplus_word", {"run", "good"}, "'orbs run' takes no further argument 'good'"},
         Mistake{"no_value", {"run", "-r"}, "--renderer: needs a value"},
+        Mistake{"no_integer", {"run", "-j", "1.5"}, "--jobs: expected a number from 1 to 1024, not '1.5'"},
         Mistake{"out_of_range", {"run", "-j", "0"}, "--jobs: expected a number from 1 to 1024, not '0'"},
         Mistake{
             "not_in_list",
