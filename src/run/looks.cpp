@@ -17,6 +17,10 @@ namespace {
 
 constexpr int kFewest = 16;
 constexpr int kLargestStep = 16;
+// A shorter step is tried where it is likely to do, and only where rendering takes longer than starting and
+// judging.
+constexpr double kLikelyWithHalfAgain = 1.4;
+constexpr int kFewestForHalfAgain = 512;
 constexpr int kSeeds = 2048;  // a renderer's seed_stride of a million times that is a seed of 32 bits
 
 int power_of_two_below(int number) { return static_cast<int>(std::bit_floor(static_cast<unsigned>(number))); }
@@ -54,12 +58,14 @@ int first_guess_spp(const PlannedJob& job) {
   return job.spp < std::sqrt(2.0) * below ? below : 2 * below;
 }
 
-int samples_after_next(const Plan& plan, const PlannedJob& job, int spp, double times_at_best) {
+int samples_after_next(const Plan& plan, const PlannedJob& job, int spp, const judge::Need& need) {
   const bool counts_images = !plan.renderers[job.renderer].entry.command.sequence.words.empty();
-  const int times = counts_images || !(times_at_best > 2)
-                        ? 2
-                        : power_of_two_below(static_cast<int>(std::min<double>(kLargestStep, times_at_best)));
-  return spp * times;
+  if (counts_images) return 2 * spp;
+  const int next = 2 * power_of_two_below(spp);
+  if (spp > next / 2) return next;
+  if (spp >= kFewestForHalfAgain && need.samples < kLikelyWithHalfAgain) return spp + spp / 2;
+  if (!(need.at_best > 2)) return next;
+  return spp * power_of_two_below(static_cast<int>(std::min<double>(kLargestStep, need.at_best)));
 }
 
 PlannedLook next_look(const Plan& plan, const PlannedJob& job, int looks, int before, int after) {
@@ -96,7 +102,7 @@ constexpr int kFewestToPredict = 3;
 bool is_beyond_samples(const judge::Look& look, const LooksSoFar& so_far) {
   const double at_best = so_far.spp * std::max(2.0, look.need.at_best);
   return at_best > (so_far.looks >= kFewestToPredict ? 1 : kLargestStep) * 2.0 * so_far.most_spp ||
-         2 * so_far.spp > so_far.most_spp;
+         so_far.spp >= so_far.most_spp;
 }
 
 bool is_beyond_time(const judge::Look& look, const LooksSoFar& so_far) {

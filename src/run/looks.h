@@ -37,8 +37,10 @@ int first_guess_spp(const PlannedJob& job);
 
 /// All samples after the next look, of `spp` that are there: as many times as many as its open targets need
 /// at best, as a power of two from 2 to 16. Each look has its price, as a renderer starts twice and the image
-/// is judged. A renderer whose seeds count images (registry::ImageSequence) doubles its samples.
-int samples_after_next(const Plan& plan, const PlannedJob& job, int spp, double times_at_best);
+/// is judged. From 512 samples on, half as many again come first where they are likely to decide it, and
+/// then what is left to the next power of two, so that no more samples are rendered than by doubling. A
+/// renderer whose seeds count images (registry::ImageSequence) doubles its samples.
+int samples_after_next(const Plan& plan, const PlannedJob& job, int spp, const judge::Need& need);
 
 /// The look after so many, from `before` to `after` samples in all. Its seeds are below 2049, far from those
 /// of references, no two of one job are equal, and all jobs of a run have the same, so that the difference of

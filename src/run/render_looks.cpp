@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -223,18 +224,25 @@ void for_each_target(const RenderSession& session,
     visit(judged.record, judged.look, session.plan.targets[index].jobs);
 }
 
-// The jobs that some open target of the group needs more samples of, and how many times as many at best:
-// those of the target that needs most.
-std::map<std::size_t, double> open_jobs(const RenderSession& session,
-                                        JobGroup& group,
-                                        std::vector<JudgedJob>& results) {
-  std::map<std::size_t, double> open;
+// The jobs that some open target of the group needs more samples of, and what the target needs that needs
+// most. All of them take the same step: the difference of two images loses their common noise only where both
+// have the same samples.
+struct OpenJobs {
+  std::set<std::size_t> jobs;
+  judge::Need need{0, 0};
+};
+
+OpenJobs open_jobs(const RenderSession& session, JobGroup& group, std::vector<JudgedJob>& results) {
+  OpenJobs open;
   for_each_target(session, group, results, [&](const auto&, const judge::Look& look, const auto& jobs) {
     if (!look.is_open) return;
-    const double times = std::isfinite(look.need.at_best) ? look.need.at_best : 2;
-    for (const auto job : jobs)
-      if (results[job].job.sampling.looks > 0 && has_image(results[job].job))
-        open[job] = std::max(open[job], times);
+    for (const auto job : jobs) {
+      if (results[job].job.sampling.looks == 0 || !has_image(results[job].job)) continue;
+      open.jobs.insert(job);
+      open.need.samples = std::max(open.need.samples, look.need.samples);
+      open.need.at_best =
+          std::max(open.need.at_best, std::isfinite(look.need.at_best) ? look.need.at_best : 2);
+    }
   });
   return open;
 }
@@ -319,10 +327,13 @@ LooksSoFar so_far_of(const RenderSession& session, const JobGroup& group) {
 }
 
 // As the time that the user has set allows, else as the usual number of samples does.
-int spp_after_next(
-    const RenderSession& session, std::size_t index, const LooksSoFar& so_far, int spp, double times) {
+int spp_after_next(const RenderSession& session,
+                   std::size_t index,
+                   const LooksSoFar& so_far,
+                   int spp,
+                   const judge::Need& need) {
   const auto& job = session.plan.jobs[index];
-  int after = samples_after_next(session.plan, job, spp, times);
+  int after = samples_after_next(session.plan, job, spp, need);
   if (so_far.budget_seconds == 0) return std::min(after, std::max(2 * spp, so_far.most_spp));
   while (after > 2 * spp && so_far.seconds + seconds_for(so_far.pace, after - spp) > so_far.budget_seconds)
     after /= 2;
@@ -331,8 +342,9 @@ int spp_after_next(
 
 void look_at_open_jobs(RenderSession& session, JobGroup& group, std::vector<JudgedJob>& results) {
   const auto so_far = so_far_of(session, group);
-  for (const auto& [index, times] : open_jobs(session, group, results)) {
-    const int spp = spp_after_next(session, index, so_far, results[index].job.identity.spp, times);
+  const auto open = open_jobs(session, group, results);
+  for (const auto index : open.jobs) {
+    const int spp = spp_after_next(session, index, so_far, results[index].job.identity.spp, open.need);
     results[index] = look_at_job(session, index, results[index], spp);
   }
 }
@@ -352,7 +364,7 @@ void take_look(RenderSession& session, JobGroup& group, std::vector<JudgedJob>& 
   }
   judge_differences(session, group, results);
   sum_looks(group, results);
-  if (open_jobs(session, group, results).empty()) {
+  if (open_jobs(session, group, results).jobs.empty()) {
     end_group(session, group, results, [](const auto&) { return End{"decided", ""}; });
     return;
   }

@@ -154,10 +154,10 @@ Ended sequence(const registry::Case& one_case,
   judge::Looks looks{.most = run::kMostLooks};
   Ended ended;
   bool is_open = true;
-  double times = 2;
+  judge::Need need{2, 2};
   for (int count = 0; is_open && count < run::kMostLooks && ended.spp < kMostSpp; ++count) {
     const int after =
-        count == 0 ? kFirstSpp : std::min(kMostSpp, run::samples_after_next(plan, job, ended.spp, times));
+        count == 0 ? kFirstSpp : std::min(kMostSpp, run::samples_after_next(plan, job, ended.spp, need));
     const int spp = run::next_look(plan, job, count, ended.spp, after).spp;
     const std::array renders{simulated_image(values, law, spp, random),
                              simulated_image(values, law, spp, random)};
@@ -168,7 +168,7 @@ Ended sequence(const registry::Case& one_case,
     looks.halves = &merged.halves;
     const auto look = judge_look(one_case, merged.mean, reference, looks, ended.verdict);
     is_open = look.is_open;
-    times = look.need.at_best;
+    need = look.need;
   }
   judge_look(one_case, simulated_image(values, law, kFixedSpp, random), reference, {}, ended.fixed);
   return ended;

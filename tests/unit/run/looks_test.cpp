@@ -77,7 +77,7 @@ TEST(Looks, DoubleTheSamplesAndUseNoSeedTwice) {
   std::set<int> seeds;
   int samples = 0;
   for (int looks = 0; looks < kMostLooks; ++looks) {
-    const int after = looks == 0 ? 32 : samples_after_next(plan, job, samples, 1);
+    const int after = looks == 0 ? 32 : samples_after_next(plan, job, samples, {2, 1});
     const auto look = next_look(plan, job, looks, samples, after);
     for (const int seed : look.seeds) {
       EXPECT_TRUE(seeds.insert(seed).second);
@@ -97,12 +97,23 @@ TEST(Looks, DoubleTheSamplesAndUseNoSeedTwice) {
 TEST(Looks, GoAsFarAsIsNeededAtBest) {
   const auto plan = plan_of(seeded(), 64);
   const auto job = job_from(16);
-  EXPECT_EQ(samples_after_next(plan, job, 16, 0.5), 32);
-  EXPECT_EQ(samples_after_next(plan, job, 16, 3.9), 32);
-  EXPECT_EQ(samples_after_next(plan, job, 16, 4), 64);
-  EXPECT_EQ(samples_after_next(plan, job, 16, 15), 128);
-  EXPECT_EQ(samples_after_next(plan, job, 16, 1e9), 256);
+  EXPECT_EQ(samples_after_next(plan, job, 16, {2, 0.5}), 32);
+  EXPECT_EQ(samples_after_next(plan, job, 16, {2, 3.9}), 32);
+  EXPECT_EQ(samples_after_next(plan, job, 16, {2, 4}), 64);
+  EXPECT_EQ(samples_after_next(plan, job, 16, {2, 15}), 128);
+  EXPECT_EQ(samples_after_next(plan, job, 16, {2, 1e9}), 256);
   EXPECT_EQ(next_look(plan, job, 1, 16, 256).spp, 120);
+}
+
+// Long renders that are nearly decided: in two steps what doubling takes in one, so never more samples.
+TEST(Looks, TakeHalfAsManyAgainWhereThatIsLikelyToDo) {
+  const auto plan = plan_of(seeded(), 64);
+  const auto job = job_from(16);
+  EXPECT_EQ(samples_after_next(plan, job, 4096, {1.2, 1}), 6144);
+  EXPECT_EQ(samples_after_next(plan, job, 6144, {1.2, 1}), 8192);
+  EXPECT_EQ(samples_after_next(plan, job, 6144, {9, 9}), 8192);
+  EXPECT_EQ(samples_after_next(plan, job, 4096, {1.6, 1}), 8192);
+  EXPECT_EQ(samples_after_next(plan, job, 64, {1.2, 1}), 128) << "what starts twice for little";
 }
 
 // With n samples, the seed s is the s-th block of n samples of one sequence. No sample is rendered twice.
@@ -116,7 +127,7 @@ TEST(Looks, OfAnImageSequenceGoOnWhereTheLastOneEnded) {
   const auto job = job_from(32);
   int samples = 0;
   for (int looks = 0; looks < kMostLooks; ++looks) {
-    const int after = looks == 0 ? 32 : samples_after_next(plan, job, samples, 100);
+    const int after = looks == 0 ? 32 : samples_after_next(plan, job, samples, {1, 100});
     const auto look = next_look(plan, job, looks, samples, after);
     for (const int seed : look.seeds) {
       EXPECT_EQ((seed - 1) * look.spp, samples);
