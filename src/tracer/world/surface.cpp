@@ -7,6 +7,7 @@
 #include "tracer/plugins/plugin_hit.h"
 #include "tracer/sampling/warps.h"
 #include "tracer/shapes/solid_hit.h"
+#include "tracer/world/edge_distance.h"
 #include "tracer/world/moving_surface.h"
 #include "tracer/world/surface_detail.h"
 #include "tracer/world/uv_directions.h"
@@ -35,7 +36,8 @@ Vec3f shading_normal_from(Vec3f interpolated, Vec3f geometric_normal) {
 
 // Rounding error perpendicular to the plane, in half ulp of the size of the corners: about 6 for the sum of
 // corner and edges, and 6 for the differences corner - origin in the intersection test of the next ray.
-// (Error analysis as in Physically Based Rendering, 4th ed., 6.8.5; errors within the plane do no harm.)
+// (Error analysis as in Physically Based Rendering, 4th ed., 6.8.5; errors within the plane do no harm but
+// beside an edge, from which points keep a distance: edge_distance.h.)
 constexpr float kTriangleRounding = 12 * 0x1p-24F;
 // The transform of an instance adds 4 for the corner and for the end of each edge.
 constexpr float kInstanceRounding = 20 * 0x1p-24F;
@@ -58,6 +60,7 @@ SurfacePoint point_on_instance(const World& world, const RenderObject& object, c
       out.geometric_normal);
   out.position_error = kInstanceRounding * std::max({largest_magnitude(p0), largest_magnitude(p0 + e1),
                                                      largest_magnitude(p0 + e2)});
+  out.position += away_from_edges(hit.barycentric, e1, e2, out.position_error);
   return out;
 }
 
@@ -170,6 +173,7 @@ SurfacePoint surface_point_as_is(const World& world, const Ray& ray, const Hit& 
                                 triangle.geometric_normal);
   out.position_error = kTriangleRounding * triangle.size;
   if (!mesh.exact_positions.empty()) place_in_plane(mesh, ray, hit, out);
+  out.position += away_from_edges(hit.barycentric, triangle.edge1, triangle.edge2, out.position_error);
   return out;
 }
 
