@@ -71,6 +71,7 @@ in_chroot() {
     mount --make-rprivate /
     mount -t proc proc "$root/proc"
     mount --rbind /dev "$root/dev"
+    mount --rbind /sys "$root/sys"
     mount -t tmpfs tmpfs "$root/tmp"
     exec chroot --userspec="$user" "$root" env -i HOME="/users/$user" USER="$user" PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 "$@" \
       bash -c "umask 077; $line"' platforms "$1" "$2" "$3" "${names[@]}"

@@ -59,8 +59,7 @@ Mean difference(const image::Image& a, const image::Image& b, const std::string&
 }  // namespace
 
 TEST_F(CircularLight, TheTracerShowsTheClosedForm) {
-  scene_.camera.width_px /= 4;
-  scene_.camera.height_px /= 4;
+  scene_ = tests::reduced_scene(scene_, 4);
   const auto formula = analytic::analytic_image(circular_light(case_).analytic->image, scene_.camera);
   const auto rendered = tests::rendered(scene_, 4096);
   for (const char* channel :
@@ -74,15 +73,18 @@ TEST_F(CircularLight, TheTracerShowsTheClosedForm) {
 }
 
 TEST_F(CircularLight, AWrongParameterFails) {
-  const auto reference = judge::load_reference(case_, "circular_light", suite_.references);
+  constexpr int kDivisor = registry::QuarterSize;
+  const auto reduced = registry::reduced_case(case_, kDivisor);
+  const auto reference =
+      judge::load_reference(reduced, "circular_light", suite_.references, {}, {}, kDivisor);
   ASSERT_TRUE(reference.image) << reference.problem;
   const auto judged = [&](const image::Image& image) {
     results::TargetRecord record;
     record.target = "circular_light";
-    judge::judge_image(case_, image, reference, {1, judge::Measured::ForTheVerdict}, record);
+    judge::judge_image(reduced, image, reference, {1, judge::Measured::ForTheVerdict}, record);
     return record;
   };
-  auto image = tests::rendered(scene_, 2048);
+  auto image = tests::rendered(tests::reduced_scene(scene_, kDivisor), 4096);
   tests::expect_verdict(judged(image), results::Verdict::Pass, "");
   for (const char* channel : {"S3.R", "S3.G", "S3.B"})
     for (int y = 0; y < image.height; ++y)

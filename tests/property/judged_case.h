@@ -2,6 +2,7 @@
 
 #include "judge/judge.h"
 #include "registry/cases.h"
+#include "registry/image_size.h"
 #include "scene/scene.h"
 #include "tracer/render.h"
 #include "tracer/world/build_world.h"
@@ -22,20 +23,28 @@ inline image::Image rendered(const scene::Scene& scene, int spp) {
       .image;
 }
 
+inline scene::Scene reduced_scene(scene::Scene scene, int divisor) {
+  scene.camera.width_px /= divisor;
+  scene.camera.height_px /= divisor;
+  return scene;
+}
+
+/// As `orbs run` does at this size, with more samples until noise leaves nothing open.
 inline results::TargetRecord judged(const registry::Case& one_case,
                                     const std::string& target,
-                                    const scene::Scene& scene,
-                                    const std::filesystem::path& references) {
-  const auto reference = judge::load_reference(one_case, target, references);
+                                    const scene::Scene& full,
+                                    const std::filesystem::path& references,
+                                    int divisor = registry::QuarterSize) {
+  const auto reduced = registry::reduced_case(one_case, divisor);
+  const auto reference = judge::load_reference(reduced, target, references, {}, {}, divisor);
   EXPECT_TRUE(reference.image) << reference.problem;
+  const auto scene = reduced_scene(full, divisor);
   results::TargetRecord record;
-  // As a run does: with more samples until noise leaves nothing open.
-  constexpr int kMost = 1 << 16;
+  constexpr int kMost = 1 << 18;
   for (int spp = 256; reference.image && spp <= kMost; spp *= 4) {
     record = {};
     record.target = target;
-    judge::judge_image(one_case, rendered(scene, spp), reference, {1, judge::Measured::ForTheVerdict},
-                       record);
+    judge::judge_image(reduced, rendered(scene, spp), reference, {1, judge::Measured::ForTheVerdict}, record);
     if (record.verdict != results::Verdict::Inconclusive) break;
   }
   return record;

@@ -16,6 +16,7 @@ struct Mistake {
   std::string what;
   std::set<std::string> scenes;  // that show it; empty: all
   std::function<void(scene::Scene&)> make;
+  int divisor = registry::QuarterSize;  // of the width and height at which it is seen
 };
 
 /// An image without noise has rounding alone, whose errors are alike: a remark, and none of the gates.
@@ -33,11 +34,11 @@ inline void expect_the_case_and_no_mistake(const std::string& name,
       const auto record = judged(one_case, one.name, scene, suite.references);
       const bool is_remark = record.verdict == results::Verdict::PassWithRemarks;
       if (!is_remark || remarks == Remarks::Refused) expect_verdict(record, results::Verdict::Pass, "");
-      for (const auto& [what, scenes, make] : mistakes) {
+      for (const auto& [what, scenes, make, divisor] : mistakes) {
         if (!scenes.empty() && !scenes.contains(one.name)) continue;
         auto wrong = scene;
         make(wrong);
-        expect_verdict(judged(one_case, one.name, wrong, suite.references), results::Verdict::Fail,
+        expect_verdict(judged(one_case, one.name, wrong, suite.references, divisor), results::Verdict::Fail,
                        " with " + what);
       }
     }

@@ -17,7 +17,9 @@ TEST(MotionCases, KnownImagesAreShownAndInstantsFail) {
     for (const auto& one : one_case.scenes) {
       const auto scene = scene::load_scene(one.file, {}, one.camera);
       const auto expect = [&](const scene::Scene& shown, results::Verdict expected, const char* what) {
-        expect_verdict(judged(one_case, one.name, shown, suite.references), expected, what);
+        // A shutter that is 0.05 shorter moves an edge by too little for smaller images.
+        expect_verdict(judged(one_case, one.name, shown, suite.references, registry::FullSize), expected,
+                       what);
       };
       expect(scene, results::Verdict::Pass, "");
       auto instant = scene;

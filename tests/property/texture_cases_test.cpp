@@ -134,7 +134,7 @@ TEST(TextureCases, BumpMaps) {
         {"n2-ramp", "n2-scaled"},
         [](scene::Scene& scene) { texture_in(scene).encoding = scene::Encoding::Srgb; }},
        {"heights that a matrix enlarges", {"n2-scaled"}, higher("larger", 2)},
-       {"heights that a matrix stretches", {"n2-scaled"}, higher("thick", 3)},
+       {"heights that a matrix stretches", {"n2-scaled"}, higher("thick", 3), registry::FullSize},
        {"slopes without the texture matrix",
         {"n2-scaled"},
         [](scene::Scene& scene) { scene.materials[1].detail.bump_map->texture.matrix = {}; }},

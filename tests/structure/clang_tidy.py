@@ -16,13 +16,14 @@ import json
 import os
 import pathlib
 import re
+import shlex
 import shutil
 import subprocess
 import sys
 
 INCLUDE = re.compile(rb'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 # clang cannot read the precompiled headers of g++.
-PRECOMPILED = re.compile(r"-Winvalid-pch -include \S+/cmake_pch\.hxx ")
+PRECOMPILED = re.compile(r'-Winvalid-pch -include (?:"[^"]*"|\S+) ')
 # The commands are for g++: clang does not know each of its flags.
 GCC_ONLY = [f"--extra-arg=-Wno-{name}" for name in
             ("ignored-optimization-argument", "unused-command-line-argument", "unknown-warning-option")]
@@ -32,7 +33,8 @@ def configured(root, folder):
     """Compile commands of a build in which sources are compiled as one, whatever the preset of the build at hand."""
     subprocess.run(["cmake", "-S", str(root), "-B", str(folder), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                     "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", "-DORBS_UNITY=ON"], check=True, stdout=subprocess.DEVNULL)
-    return json.loads(PRECOMPILED.sub("", (folder / "compile_commands.json").read_text()))
+    entries = json.loads((folder / "compile_commands.json").read_text())
+    return [{**entry, "command": PRECOMPILED.sub("", entry["command"])} for entry in entries]
 
 
 def by_source(commands):
@@ -89,7 +91,7 @@ def check(tool, folder, batch):
         source = str(work / "all.cpp")
         includes = [f'#include "{entry["file"]}"  // NOLINT(bugprone-suspicious-include)\n' for entry in batch]
         pathlib.Path(source).write_text("".join(includes))
-    entry = {"directory": batch[0]["directory"], "file": source, "command": f"{flags(batch[0])} -c {source}"}
+    entry = {"directory": batch[0]["directory"], "file": source, "command": f"{flags(batch[0])} -c {shlex.quote(source)}"}
     (work / "compile_commands.json").write_text(json.dumps([entry]))
     done = subprocess.run([tool, "--quiet", *GCC_ONLY, "-p", str(work), source], capture_output=True, text=True)
     shutil.rmtree(work)
