@@ -5,6 +5,7 @@
 #include "base/random.h"
 #include "tracer/integrator/light_vertex.h"
 #include "tracer/render/render_clock.h"
+#include "tracer/world/nearest_hits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +49,7 @@ std::vector<SeenPoint> seen_points(const World& world) {
                               u[1] * static_cast<float>(world.camera.height)));
   }
   std::vector<Hit> hits(rays.size());
-  world.accel->intersect(rays, hits);
+  nearest_hits(world, rays, hits);
   std::vector<SeenPoint> out;
   for (std::size_t i = 0; i < rays.size(); ++i)
     if (const auto seen = seen_point(world, rays[i], hits[i])) out.push_back(*seen);

@@ -11,6 +11,7 @@
 #include "tracer/render/render_clock.h"
 #include "tracer/sampling/warps.h"
 #include "tracer/transport/rgb_transport.h"
+#include "tracer/world/nearest_hits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -130,7 +131,7 @@ std::vector<LightTrial> trials_of_block(const World& world, int number) {
     std::vector<Ray> rays;
     for (const WalkingPath& path : walk.paths) rays.push_back(path.ray);
     std::vector<Hit> hits(rays.size());
-    world.accel->intersect(rays, hits);
+    nearest_hits(world, rays, hits);
     std::vector<WalkingPath> alive;
     for (std::size_t i = 0; i < hits.size(); ++i)
       if (advance(walk, world, walk.paths[i], hits[i], static_cast<std::uint32_t>(bounce)))

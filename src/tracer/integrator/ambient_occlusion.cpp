@@ -4,6 +4,7 @@
 #include "tracer/geometry/transforms.h"
 #include "tracer/integrator/timed_camera_ray.h"
 #include "tracer/sampling/warps.h"
+#include "tracer/world/nearest_hits.h"
 #include "tracer/world/surface.h"
 
 #include <cmath>
@@ -62,7 +63,7 @@ class TileWorker {
 
   void trace_row() {
     hits_.resize(camera_rays_.size());
-    world_.accel->intersect(camera_rays_, hits_);
+    nearest_hits(world_, camera_rays_, hits_);
     open_.assign(samples_.size(), 0);
     occlusion_rays_.clear();
     ray_samples_.clear();

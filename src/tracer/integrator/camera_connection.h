@@ -5,6 +5,7 @@
 #include "tracer/integrator/make_bsdf.h"
 #include "tracer/integrator/path_batch.h"
 #include "tracer/integrator/sample_mirrored_light.h"
+#include "tracer/world/nearest_hits.h"
 
 #include <cmath>
 #include <optional>
@@ -124,7 +125,7 @@ void connect_to_camera_by_mirrors(LightPathBatch<T>& batch,
 template <TracesFromLights T>
 void resolve_mirror_rays(LightPathBatch<T>& batch, const World& world) {
   batch.mirror_hits.resize(batch.mirror_rays.size());
-  timed_traversal(batch, [&] { world.accel->intersect(batch.mirror_rays, batch.mirror_hits); });
+  timed_traversal(batch, [&] { nearest_hits(world, batch.mirror_rays, batch.mirror_hits); });
   for (std::size_t i = 0; i < batch.mirror_payloads.size(); ++i) {
     const CameraMirrorPayload<T>& payload = batch.mirror_payloads[i];
     const LightPath<T>& path = batch.paths[payload.path];

@@ -3,6 +3,7 @@
 #include "base/nth.h"
 #include "base/random.h"
 #include "tracer/accel/timed_traversal.h"
+#include "tracer/world/nearest_hits.h"
 
 #include <algorithm>
 #include <array>
@@ -82,7 +83,7 @@ void trace_light_vertices(LightVertexPool& pool, const World& world, std::span<c
   }
   pool.hits.resize(pool.rays.size());
   pool.traversal_seconds = 0;
-  timed_traversal(pool, [&] { world.accel->intersect(pool.rays, pool.hits); });
+  timed_traversal(pool, [&] { nearest_hits(world, pool.rays, pool.hits); });
   for (std::size_t i = 0; i < pool.hits.size(); ++i)
     if (pool.emitted[i].weight > 0)
       if (const auto vertex = vertex_at(world, pool.emitted[i], pool.hits[i]))

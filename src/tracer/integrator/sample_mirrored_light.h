@@ -6,6 +6,7 @@
 #include "tracer/integrator/light_sampling.h"
 #include "tracer/integrator/path_batch.h"
 #include "tracer/light/direct_light.h"
+#include "tracer/world/nearest_hits.h"
 
 #include <algorithm>
 #include <array>
@@ -98,7 +99,7 @@ std::optional<MirrorHit<T>> mirror_hit(
 template <Transport T>
 void resolve_mirror_rays(PathBatch<T>& batch, const World& world) {
   batch.mirror_hits.resize(batch.mirror_rays.size());
-  timed_traversal(batch, [&] { world.accel->intersect(batch.mirror_rays, batch.mirror_hits); });
+  timed_traversal(batch, [&] { nearest_hits(world, batch.mirror_rays, batch.mirror_hits); });
   for (std::size_t i = 0; i < batch.mirror_payloads.size(); ++i) {
     const MirrorPayload<T>& payload = batch.mirror_payloads[i];
     const Ray& ray = batch.mirror_rays[i];

@@ -9,6 +9,7 @@
 #include "tracer/render/passes.h"
 #include "tracer/render/render_clock.h"
 #include "tracer/world/build_world.h"
+#include "tracer/world/nearest_hits.h"
 #include "tracer/world/surface.h"
 
 #include <algorithm>
@@ -238,7 +239,7 @@ class TileOfLayers {
           timed_camera_ray(of_.world, static_cast<float>(x) + u[0], static_cast<float>(y) + u[1], block, i));
     }
     hits_.resize(rays_.size());
-    of_.world.accel->intersect(rays_, hits_);
+    nearest_hits(of_.world, rays_, hits_);
     for (std::size_t i = 0; i < rays_.size(); ++i) pixel.add(rays_[i], hits_[i]);
   }
 
@@ -255,7 +256,7 @@ class TileOfLayers {
   Hit intersect_one(const Ray& ray) {
     rays_.assign(1, ray);
     hits_.assign(1, Hit{});
-    of_.world.accel->intersect(rays_, hits_);
+    nearest_hits(of_.world, rays_, hits_);
     return hits_.front();
   }
 

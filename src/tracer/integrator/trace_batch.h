@@ -8,6 +8,7 @@
 #include "tracer/integrator/scatter.h"
 #include "tracer/integrator/shade_hit.h"
 #include "tracer/integrator/timed_camera_ray.h"
+#include "tracer/world/nearest_hits.h"
 
 #include <span>
 
@@ -83,7 +84,7 @@ void trace_batch(PathBatch<T>& batch, const World& world, std::span<const Sample
     for (const std::uint32_t path : batch.active) batch.rays.push_back(batch.paths[path].ray);
     batch.hits.resize(batch.rays.size());
     const auto coherence = bounce == 0 ? Coherence::Neighbours : Coherence::None;
-    timed_traversal(batch, [&] { world.accel->intersect(batch.rays, batch.hits, coherence); });
+    timed_traversal(batch, [&] { nearest_hits(world, batch.rays, batch.hits, coherence); });
     batch.survivors.clear();
     shade_batch(batch, world, samples, bounce);
     batch.active.swap(batch.survivors);

@@ -3,6 +3,7 @@
 #include "base/nth.h"
 #include "spectra/wavelengths.h"
 #include "tracer/integrator/camera_connection.h"
+#include "tracer/world/nearest_hits.h"
 
 #include <cstdint>
 #include <optional>
@@ -125,7 +126,7 @@ void trace_light_batch(LightPathBatch<T>& batch,
     batch.rays.clear();
     for (const std::uint32_t path : batch.active) batch.rays.push_back(batch.paths[path].ray);
     batch.hits.resize(batch.rays.size());
-    timed_traversal(batch, [&] { world.accel->intersect(batch.rays, batch.hits); });
+    timed_traversal(batch, [&] { nearest_hits(world, batch.rays, batch.hits); });
     std::size_t alive = 0;
     for (std::size_t i = 0; i < batch.active.size(); ++i)
       if (shade_light_path_hit<T>(batch, world, batch.active[i], block, batch.hits[i]))

@@ -3,6 +3,7 @@
 #include "tracer/integrator/trace_batch.h"
 #include "tracer/irradiance_cache/record.h"
 #include "tracer/transport/rgb_transport.h"
+#include "tracer/world/nearest_hits.h"
 
 #include <span>
 
@@ -43,7 +44,7 @@ void trace_visited(
     batch.rays.clear();
     for (const std::uint32_t path : batch.active) batch.rays.push_back(batch.paths[path].ray);
     batch.hits.resize(batch.rays.size());
-    timed_traversal(batch, [&] { world.accel->intersect(batch.rays, batch.hits); });
+    timed_traversal(batch, [&] { nearest_hits(world, batch.rays, batch.hits); });
     batch.survivors.clear();
     shade_visited(batch, world, samples, bounce, visitor);
     batch.active.swap(batch.survivors);

@@ -42,25 +42,38 @@ constexpr float kTriangleRounding = 12 * 0x1p-24F;
 // The transform of an instance adds 4 for the corner and for the end of each edge.
 constexpr float kInstanceRounding = 20 * 0x1p-24F;
 
+struct WorldTriangle {
+  Vec3f corner;
+  Vec3f edge1;
+  Vec3f edge2;
+  float position_error = 0;
+};
+
+WorldTriangle of_instance(const RenderObject& object, const TriangleCache& triangle) {
+  const Vec3f corner = apply_to_point(object.to_world, triangle.corner);
+  const Vec3f edge1 = apply_to_direction(object.to_world, triangle.edge1);
+  const Vec3f edge2 = apply_to_direction(object.to_world, triangle.edge2);
+  const float size = std::max(
+      {largest_magnitude(corner), largest_magnitude(corner + edge1), largest_magnitude(corner + edge2)});
+  return {corner, edge1, edge2, kInstanceRounding * size};
+}
+
 SurfacePoint point_on_instance(const World& world, const RenderObject& object, const Hit& hit) {
   const TriangleMesh& mesh = world.meshes[object.mesh];
   const TriangleCache& triangle = mesh.triangle_cache[hit.primitive];
+  const auto [corner, edge1, edge2, position_error] = of_instance(object, triangle);
   SurfacePoint out;
   out.material = nth(object.material_of, triangle.material);
-  const Vec3f p0 = apply_to_point(object.to_world, triangle.corner);
-  const Vec3f e1 = apply_to_direction(object.to_world, triangle.edge1);
-  const Vec3f e2 = apply_to_direction(object.to_world, triangle.edge2);
-  out.position = p0 + e1 * hit.barycentric.x + e2 * hit.barycentric.y;
-  out.geometric_normal = normalised(cross(e1, e2));
+  out.position = corner + edge1 * hit.barycentric.x + edge2 * hit.barycentric.y +
+                 away_from_edges(hit.barycentric, edge1, edge2, position_error);
+  out.geometric_normal = normalised(cross(edge1, edge2));
   const auto in_world = [&](Vec3f normal) { return apply_to_direction(object.normal_to_world, normal); };
   out.shading_normal = shading_normal_from(
       triangle.has_one_normal
           ? in_world(triangle.shading_normal)
           : interpolated_normal(mesh, hit, [&](Vec3f normal) { return normalised(in_world(normal)); }),
       out.geometric_normal);
-  out.position_error = kInstanceRounding * std::max({largest_magnitude(p0), largest_magnitude(p0 + e1),
-                                                     largest_magnitude(p0 + e2)});
-  out.position += away_from_edges(hit.barycentric, e1, e2, out.position_error);
+  out.position_error = position_error;
   return out;
 }
 
@@ -189,6 +202,17 @@ float faulty_position_error(const SurfacePoint& point) {
 }
 
 }  // namespace
+
+Vec3f distance_from_edges(const World& world, const Hit& hit) {
+  const RenderObject& object = world.objects[hit.object];
+  if (object.kind != ObjectKind::WorldMesh && object.kind != ObjectKind::InstancedMesh) return {};
+  const TriangleCache& triangle = world.meshes[object.mesh].triangle_cache[hit.primitive];
+  const auto [corner, edge1, edge2, position_error] =
+      object.kind == ObjectKind::InstancedMesh
+          ? of_instance(object, triangle)
+          : WorldTriangle{triangle.corner, triangle.edge1, triangle.edge2, kTriangleRounding * triangle.size};
+  return away_from_edges(hit.barycentric, edge1, edge2, position_error);
+}
 
 SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit) {
   auto point = surface_point_as_is(world, ray, hit);

@@ -15,6 +15,10 @@ void fill_triangle_cache(TriangleMesh& mesh);
 /// The point where the ray hits a mesh or a shape.
 SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit);
 
+/// What surface_point() moves the hit by, away from the edges of its triangle (edge_distance.h), on meshes at
+/// rest.
+Vec3f distance_from_edges(const World& world, const Hit& hit);
+
 /// The point where the ray hits a light, on its bright side. It has no material.
 SurfacePoint light_point(const AreaLight& light, const Ray& ray, const Hit& hit);
 
