@@ -14,7 +14,8 @@ namespace orbs::tracer {
 /// What a device is made with. Embree takes the widest kernels of the processor and, for some processors,
 /// narrower trees (Device::Device in its kernels/common/device.cpp asks for simd128 on a Skylake Xeon). Each
 /// of them rounds hits in its own way, so every x86-64 is asked for the same: AVX2 is what all our code is
-/// compiled for. Other processors have one set of kernels each, and are asked for nothing.
+/// compiled for. What is left between Intel and AMD is the approximate reciprocal, rcpps, which rounds hits.
+/// Other processors have one set of kernels each, and are asked for nothing.
 #if defined(__x86_64__)
 inline constexpr const char* kDeviceSettings = "isa=avx2,frequency_level=simd256";
 #else
