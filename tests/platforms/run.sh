@@ -98,7 +98,7 @@ clone() {  # <user>: into its home
 use_command() {
   local home="$root/users/tester/check out"
   # No fault of ours if the mirror does not answer.
-  step "by root: ./bootstrap install ${1%% *}" root "apt-get update && '/users/root/check out/bootstrap' install ${1%% *}" || return 77
+  step "by root: ./bootstrap install ${1%% *}" root "dpkg --configure -a && apt-get update && '/users/root/check out/bootstrap' install ${1%% *}" || return 77
   say "$suite: $(chroot "$root" dpkg-query --show | wc -l) packages, $(du -smx --exclude=users "$root/" | cut -f1) MB, $(du -smx "$root/var/cache/apt/archives" | cut -f1) MB of which were fetched"
   step "by a plain user: ./bootstrap $1" tester "cd \"\$HOME/check out\" && ./bootstrap $1" || return
   say "$suite: build folder $(du -smx "$home/build" | cut -f1) MB"

@@ -5,7 +5,7 @@
 
 namespace orbs::tracer {
 
-Vec3f away_from_edges(Vec2f barycentric, Vec3f edge1, Vec3f edge2, float position_error) {
+Vec2f away_from_edges(Vec2f barycentric, Vec3f edge1, Vec3f edge2, float position_error) {
   const std::array<float, 3> weights{1 - barycentric.x - barycentric.y, barycentric.x, barycentric.y};
   if (std::min({weights[0], weights[1], weights[2]}) >= kMostOfHeight) return {};
   // In double, in which no product of two lengths underflows.
@@ -28,7 +28,7 @@ Vec3f away_from_edges(Vec2f barycentric, Vec3f edge1, Vec3f edge2, float positio
   if (raised == 0) return {};
   // Those below the least are raised to it, at the cost of the others in proportion to what they have more.
   const auto change = [&](std::size_t i) { return above[i] < 0 ? -above[i] : -above[i] * raised / slack; };
-  return cast<float>(e1 * change(1) + e2 * change(2));
+  return {static_cast<float>(change(1)), static_cast<float>(change(2))};
 }
 
 }  // namespace orbs::tracer

@@ -3,9 +3,8 @@
 #include "base/vec.h"
 
 /// Rays leave a surface from a point beside it, offset along the normal. Within about that offset of an edge,
-/// where another triangle rises at an acute angle, the point lies behind this other triangle, and the ray
-/// leaves a closed room: in a bumpy one, 14 of 31 million paths did. So points keep a distance from the
-/// edges of their triangle.
+/// where another triangle rises at an acute angle, the point lies behind this other triangle. A point that
+/// keeps a distance from the edges of its own does not.
 namespace orbs::tracer {
 
 /// In units of position_error. The offset is at most sqrt(3) of them. A point at the distance s from an edge,
@@ -19,9 +18,9 @@ constexpr float kEdgeDistance = 16;
 /// before.
 constexpr float kMostOfHeight = 0x1p-10F;
 
-/// By what a point moves that keeps its distance from the edges of a triangle: in the plane, zero for nearly
-/// all. `barycentric`: of the second and the third corner. `edge1`, `edge2`: from the first corner to these,
-/// not parallel.
-Vec3f away_from_edges(Vec2f barycentric, Vec3f edge1, Vec3f edge2, float position_error);
+/// By what the barycentric coordinates of a point change that keeps its distance from the edges of a
+/// triangle: zero for nearly all. `barycentric`: of the second and the third corner. `edge1`, `edge2`: from
+/// the first corner to these, not parallel.
+Vec2f away_from_edges(Vec2f barycentric, Vec3f edge1, Vec3f edge2, float position_error);
 
 }  // namespace orbs::tracer

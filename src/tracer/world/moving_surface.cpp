@@ -2,7 +2,6 @@
 
 #include "base/nth.h"
 #include "tracer/geometry/transforms.h"
-#include "tracer/world/edge_distance.h"
 
 #include <algorithm>
 #include <array>
@@ -77,8 +76,7 @@ SurfacePoint point_on_moving_mesh(const RenderObject& object,
   const Vec3f edge1 = corners[1] - corners[0];
   const Vec3f edge2 = corners[2] - corners[0];
   out.material = nth(object.material_of, mesh.materials[hit.primitive]);
-  out.position = corners[0] + edge1 * hit.barycentric.x + edge2 * hit.barycentric.y +
-                 away_from_edges(hit.barycentric, edge1, edge2, out.position_error);
+  out.position = corners[0] + edge1 * hit.barycentric.x + edge2 * hit.barycentric.y;
   // Zero for a triangle that is degenerate at this time: no side agrees with it, and the path ends.
   out.geometric_normal = unit_or(cross(edge1, edge2), {});
   out.shading_normal = unit_or(normal, out.geometric_normal);

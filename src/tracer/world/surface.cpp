@@ -7,7 +7,6 @@
 #include "tracer/plugins/plugin_hit.h"
 #include "tracer/sampling/warps.h"
 #include "tracer/shapes/solid_hit.h"
-#include "tracer/world/edge_distance.h"
 #include "tracer/world/moving_surface.h"
 #include "tracer/world/surface_detail.h"
 #include "tracer/world/uv_directions.h"
@@ -37,17 +36,10 @@ Vec3f shading_normal_from(Vec3f interpolated, Vec3f geometric_normal) {
 // Rounding error perpendicular to the plane, in half ulp of the size of the corners: about 6 for the sum of
 // corner and edges, and 6 for the differences corner - origin in the intersection test of the next ray.
 // (Error analysis as in Physically Based Rendering, 4th ed., 6.8.5; errors within the plane do no harm but
-// beside an edge, from which points keep a distance: edge_distance.h.)
+// beside an edge, see nearest_hits.h.)
 constexpr float kTriangleRounding = 12 * 0x1p-24F;
 // The transform of an instance adds 4 for the corner and for the end of each edge.
 constexpr float kInstanceRounding = 20 * 0x1p-24F;
-
-struct WorldTriangle {
-  Vec3f corner;
-  Vec3f edge1;
-  Vec3f edge2;
-  float position_error = 0;
-};
 
 WorldTriangle of_instance(const RenderObject& object, const TriangleCache& triangle) {
   const Vec3f corner = apply_to_point(object.to_world, triangle.corner);
@@ -61,19 +53,18 @@ WorldTriangle of_instance(const RenderObject& object, const TriangleCache& trian
 SurfacePoint point_on_instance(const World& world, const RenderObject& object, const Hit& hit) {
   const TriangleMesh& mesh = world.meshes[object.mesh];
   const TriangleCache& triangle = mesh.triangle_cache[hit.primitive];
-  const auto [corner, edge1, edge2, position_error] = of_instance(object, triangle);
+  const auto in_place = of_instance(object, triangle);
   SurfacePoint out;
   out.material = nth(object.material_of, triangle.material);
-  out.position = corner + edge1 * hit.barycentric.x + edge2 * hit.barycentric.y +
-                 away_from_edges(hit.barycentric, edge1, edge2, position_error);
-  out.geometric_normal = normalised(cross(edge1, edge2));
+  out.position = point_on(in_place, hit.barycentric);
+  out.geometric_normal = normalised(cross(in_place.edge1, in_place.edge2));
   const auto in_world = [&](Vec3f normal) { return apply_to_direction(object.normal_to_world, normal); };
   out.shading_normal = shading_normal_from(
       triangle.has_one_normal
           ? in_world(triangle.shading_normal)
           : interpolated_normal(mesh, hit, [&](Vec3f normal) { return normalised(in_world(normal)); }),
       out.geometric_normal);
-  out.position_error = position_error;
+  out.position_error = in_place.position_error;
   return out;
 }
 
@@ -186,7 +177,6 @@ SurfacePoint surface_point_as_is(const World& world, const Ray& ray, const Hit& 
                                 triangle.geometric_normal);
   out.position_error = kTriangleRounding * triangle.size;
   if (!mesh.exact_positions.empty()) place_in_plane(mesh, ray, hit, out);
-  out.position += away_from_edges(hit.barycentric, triangle.edge1, triangle.edge2, out.position_error);
   return out;
 }
 
@@ -203,15 +193,14 @@ float faulty_position_error(const SurfacePoint& point) {
 
 }  // namespace
 
-Vec3f distance_from_edges(const World& world, const Hit& hit) {
+std::optional<WorldTriangle> triangle_in_world(const World& world, const Hit& hit) {
   const RenderObject& object = world.objects[hit.object];
-  if (object.kind != ObjectKind::WorldMesh && object.kind != ObjectKind::InstancedMesh) return {};
-  const TriangleCache& triangle = world.meshes[object.mesh].triangle_cache[hit.primitive];
-  const auto [corner, edge1, edge2, position_error] =
-      object.kind == ObjectKind::InstancedMesh
-          ? of_instance(object, triangle)
-          : WorldTriangle{triangle.corner, triangle.edge1, triangle.edge2, kTriangleRounding * triangle.size};
-  return away_from_edges(hit.barycentric, edge1, edge2, position_error);
+  if (object.kind != ObjectKind::WorldMesh && object.kind != ObjectKind::InstancedMesh) return std::nullopt;
+  const TriangleMesh& mesh = world.meshes[object.mesh];
+  const TriangleCache& triangle = mesh.triangle_cache[hit.primitive];
+  if (object.kind == ObjectKind::InstancedMesh) return of_instance(object, triangle);
+  if (!mesh.exact_positions.empty()) return std::nullopt;
+  return WorldTriangle{triangle.corner, triangle.edge1, triangle.edge2, kTriangleRounding * triangle.size};
 }
 
 SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit) {

@@ -6,18 +6,32 @@
 #include "tracer/numeric_fault.h"
 #include "tracer/world/world.h"
 
+#include <optional>
+
 /// Hit points.
 namespace orbs::tracer {
 
 /// Fills mesh.triangle_cache.
 void fill_triangle_cache(TriangleMesh& mesh);
 
+/// A triangle of a mesh at rest, and the bound of SurfacePoint::position_error on it.
+struct WorldTriangle {
+  Vec3f corner;
+  Vec3f edge1;
+  Vec3f edge2;
+  float position_error = 0;
+};
+
+inline Vec3f point_on(const WorldTriangle& triangle, Vec2f barycentric) {
+  return triangle.corner + triangle.edge1 * barycentric.x + triangle.edge2 * barycentric.y;
+}
+
+/// The triangle that is hit. Empty for what moves, for shapes, and where surface_point() does not go by the
+/// barycentric coordinates of the hit.
+std::optional<WorldTriangle> triangle_in_world(const World& world, const Hit& hit);
+
 /// The point where the ray hits a mesh or a shape.
 SurfacePoint surface_point(const World& world, const Ray& ray, const Hit& hit);
-
-/// What surface_point() moves the hit by, away from the edges of its triangle (edge_distance.h), on meshes at
-/// rest.
-Vec3f distance_from_edges(const World& world, const Hit& hit);
 
 /// The point where the ray hits a light, on its bright side. It has no material.
 SurfacePoint light_point(const AreaLight& light, const Ray& ray, const Hit& hit);
