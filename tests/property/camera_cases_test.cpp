@@ -49,8 +49,9 @@ class CameraCases : public testing::Test {
  protected:
   results::Verdict verdict(const registry::Case& one_case,
                            const std::string& target,
-                           const scene::Scene& scene) {
-    return tests::judged(one_case, target, scene, suite_.references).verdict;
+                           const scene::Scene& scene,
+                           int divisor = registry::QuarterSize) {
+    return tests::judged(one_case, target, scene, suite_.references, divisor).verdict;
   }
 
   registry::Suite suite_ =
@@ -66,7 +67,7 @@ TEST_F(CameraCases, KnownImagesAreShownAndOtherCamerasFail) {
     if (one_case.requirement.front() != 'C') continue;
     for (const auto& one : one_case.scenes) {
       const auto scene = scene::load_scene(one.file, {}, one.camera);
-      EXPECT_EQ(verdict(one_case, one.name, scene), results::Verdict::Pass) << one.name;
+      EXPECT_EQ(verdict(one_case, one.name, scene, registry::FullSize), results::Verdict::Pass) << one.name;
       ++seen;
       if (!wrong.contains(one_case.requirement)) continue;
       for (const auto& [what, change] : wrong.at(one_case.requirement)) {

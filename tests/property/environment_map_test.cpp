@@ -148,7 +148,7 @@ TEST(EnvironmentCases, KnownImagesAreShownAndMistakesFail) {
       if (!one.analytic) continue;
       ++seen;
       const auto scene = scene::load_scene(one.file, {}, one.camera);
-      tests::expect_verdict(tests::judged(one_case, one.name, scene, suite.references),
+      tests::expect_verdict(tests::judged(one_case, one.name, scene, suite.references, registry::FullSize),
                             results::Verdict::Pass, "");
       for (const auto& [what, change] : mistakes_in(one.name)) {
         auto wrong = scene;

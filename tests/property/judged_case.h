@@ -29,7 +29,8 @@ inline scene::Scene reduced_scene(scene::Scene scene, int divisor) {
   return scene;
 }
 
-/// As `orbs run` does at this size, with more samples until noise leaves nothing open.
+/// What is right is judged at full size, where details finer than a pixel of the quarter show; mistakes at
+/// 1/4. As `orbs run` does at this size, with more samples until noise leaves nothing open.
 inline results::TargetRecord judged(const registry::Case& one_case,
                                     const std::string& target,
                                     const scene::Scene& full,

@@ -31,7 +31,7 @@ inline void expect_the_case_and_no_mistake(const std::string& name,
     if (one_case.name != name) continue;
     for (const auto& one : one_case.scenes) {
       const auto scene = scene::load_scene(one.file, {}, one.camera);
-      const auto record = judged(one_case, one.name, scene, suite.references);
+      const auto record = judged(one_case, one.name, scene, suite.references, registry::FullSize);
       const bool is_remark = record.verdict == results::Verdict::PassWithRemarks;
       if (!is_remark || remarks == Remarks::Refused) expect_verdict(record, results::Verdict::Pass, "");
       for (const auto& [what, scenes, make, divisor] : mistakes) {
