@@ -212,6 +212,7 @@ double widening_of(const metrics::ImagePair& pair) {
 
 // Where the noise happened to take more off the product than the error adds, no number can be said.
 std::string above_without_noise(double low_db) {
+  if (low_db < 0) return "too few pixels to tell it without noise";
   return std::isinf(low_db) ? "no error is seen without its noise"
                             : fmt::format("without noise above {:.1f} dB", low_db);
 }

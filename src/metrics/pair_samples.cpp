@@ -155,12 +155,11 @@ bool has_stokes(const image::Image& image) {
   });
 }
 
-std::vector<Rectangle> blocks_of(const PairSamples& samples) {
+std::vector<Rectangle> blocks_of(const PairSamples& samples, int side_px) {
   std::vector<Rectangle> blocks;
-  for (int y = 0; y < samples.height; y += kBlock_px)
-    for (int x = 0; x < samples.width; x += kBlock_px)
-      blocks.push_back(
-          {x, y, std::min(x + kBlock_px, samples.width), std::min(y + kBlock_px, samples.height)});
+  for (int y = 0; y < samples.height; y += side_px)
+    for (int x = 0; x < samples.width; x += side_px)
+      blocks.push_back({x, y, std::min(x + side_px, samples.width), std::min(y + side_px, samples.height)});
   return blocks;
 }
 

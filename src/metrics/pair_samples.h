@@ -144,9 +144,9 @@ void for_each_pair(const PairSamples& samples, const Rectangle& rectangle, Visit
         visit(pixel, pixel + 1);
 }
 
-/// Blocks of kBlock_px by rows, counted from the upper left corner; those at the right and lower edge may be
+/// Square blocks by rows, counted from the upper left corner; those at the right and lower edge may be
 /// smaller.
-std::vector<Rectangle> blocks_of(const PairSamples& samples);
+std::vector<Rectangle> blocks_of(const PairSamples& samples, int side_px = kBlock_px);
 
 /// A sum of variances and how many pixels carry it; noise_test.h says what for.
 struct PooledVariance {
