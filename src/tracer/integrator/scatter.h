@@ -31,11 +31,14 @@ bool survives_roulette(PathState<T>& path, const World& world, float u) {
   const float by_throughput = std::sqrt(T::magnitude(path.throughput) / path.radiance_scale /
                                         (path.has_deltas_alone ? kDeltasLeaveThroughput : 1));
   // A path between lossless mirrors never loses throughput. From a depth on that no limit of a scene file
-  // reaches, some end anyway: that is unbiased as well, and every render ends.
+  // reaches, some end anyway: of those that get to it kDeepest / n get to the n-th event. A horizon between
+  // mirrors has light in proportion to 1 / n^2 there, so that its variance is finite (any geometric decay has
+  // an infinite one, and is too dark in all that anyone renders), and a path that nothing ends takes 8000
+  // events on average before kUnlimitedDepth.
   constexpr int kDeepest = 1000;
-  constexpr float kMostSurvivors = 0.95F;
+  const auto events = static_cast<float>(path.scatterings);
   const float probability =
-      path.scatterings > kDeepest ? std::min(by_throughput, kMostSurvivors) : by_throughput;
+      path.scatterings > kDeepest ? std::min(by_throughput, (events - 1) / events) : by_throughput;
   if (probability >= 1) return true;
   if (u >= probability) return false;
   if (!has_fault(NumericFault::RouletteWithoutWeight))
