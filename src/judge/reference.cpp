@@ -78,7 +78,7 @@ std::string read_reference(const std::filesystem::path& file,
                            const std::string& scene,
                            const std::map<std::string, std::string>& scene_hashes,
                            const ReferenceCopies& copies,
-                           int size_divisor,
+                           const registry::ReducedSize& size,
                            std::optional<image::Image>& image) {
   std::error_code ignored;
   const auto copied = copies.copied.find(file.filename().string());
@@ -93,7 +93,8 @@ std::string read_reference(const std::filesystem::path& file,
     problem = provenance_problem(
         *image, file, scene, scene_hashes,
         copies.folder.empty() ? results::read_image_hashes(file.parent_path()) : copies.image_hashes);
-    if (problem.empty() && copies.folder.empty()) image = reduced_reference(*image, size_divisor);
+    if (problem.empty() && copies.folder.empty())
+      image = reduced_reference(*image, registry::divisor_of_image(image->width, image->height, size));
   } catch (const InputError& e) {
     problem = fmt::format("the reference cannot be used: {}", e.what());
   }
@@ -118,7 +119,7 @@ Reference load_reference(const registry::Case& one_case,
                          const std::filesystem::path& references,
                          const std::map<std::string, std::string>& scene_hashes,
                          const ReferenceCopies& copies,
-                         int size_divisor) {
+                         const registry::ReducedSize& size) {
   Reference reference;
   if (const auto why = registry::no_reference_reason(one_case, target); !why.empty())
     return {{}, std::nullopt, fmt::format("'{}' has no reference: {}", target, why)};
@@ -127,12 +128,11 @@ Reference load_reference(const registry::Case& one_case,
   const bool is_difference = difference != one_case.differences.end();
   const auto& scene = is_difference ? difference->of : target;
   reference.file = reference_file(one_case, scene, references);
-  reference.problem =
-      read_reference(reference.file, scene, scene_hashes, copies, size_divisor, reference.image);
+  reference.problem = read_reference(reference.file, scene, scene_hashes, copies, size, reference.image);
   if (!is_difference || !reference.image) return reference;
   std::optional<image::Image> minus;
   reference.problem = read_reference(reference_file(one_case, difference->minus, references),
-                                     difference->minus, scene_hashes, copies, size_divisor, minus);
+                                     difference->minus, scene_hashes, copies, size, minus);
   if (minus && (minus->width != reference.image->width || minus->height != reference.image->height))
     reference.problem =
         fmt::format("the references of '{}' and '{}' differ in size", difference->of, difference->minus);
@@ -151,11 +151,11 @@ CopiedReference copy_reference(const std::filesystem::path& file,
                                const std::map<std::string, std::string>& scene_hashes,
                                const std::map<std::string, std::string>& image_hashes,
                                const std::filesystem::path& folder,
-                               int size_divisor) {
+                               const registry::ReducedSize& size) {
   CopiedReference copied;
   std::optional<image::Image> image;
-  if (size_divisor != 1) {
-    copied.problem = read_reference(file, scene, scene_hashes, {}, size_divisor, image);
+  if (size.divisor != 1) {
+    copied.problem = read_reference(file, scene, scene_hashes, {}, size, image);
     if (!copied.problem.empty()) return copied;
     image::write_exr(*image, folder / file.filename());
     copied.hash = hash_text(content_hash(read_file(folder / file.filename())));
@@ -171,9 +171,8 @@ CopiedReference copy_reference(const std::filesystem::path& file,
     copied.problem = fmt::format("the reference cannot be used: {}", e.what());
     return copied;
   }
-  copied.problem =
-      read_reference(file, scene, scene_hashes, {folder, {{file.filename().string(), copied}}, image_hashes},
-                     size_divisor, image);
+  copied.problem = read_reference(file, scene, scene_hashes,
+                                  {folder, {{file.filename().string(), copied}}, image_hashes}, size, image);
   std::error_code ignored;
   if (!copied.problem.empty()) std::filesystem::remove(folder / file.filename(), ignored);
   return copied;
@@ -185,10 +184,10 @@ ReferenceCopies copy_references(const std::vector<registry::Case>& cases,
                                 const std::filesystem::path& references,
                                 const std::map<std::string, std::string>& scene_hashes,
                                 const std::filesystem::path& folder,
-                                int size_divisor) {
+                                const registry::ReducedSize& size) {
   ReferenceCopies copies{folder, {}, {}};
   // A reduced copy has other pixels; its original is checked when it is read.
-  if (size_divisor == 1) copies.image_hashes = results::read_image_hashes(references);
+  if (size.divisor == 1) copies.image_hashes = results::read_image_hashes(references);
   make_folder(folder);
   std::error_code ignored;
   for (const auto& one_case : cases)
@@ -197,7 +196,7 @@ ReferenceCopies copy_references(const std::vector<registry::Case>& cases,
       const auto name = file.filename().string();
       if (!copies.copied.contains(name) && std::filesystem::exists(file, ignored))
         copies.copied[name] =
-            copy_reference(file, scene.name, scene_hashes, copies.image_hashes, folder, size_divisor);
+            copy_reference(file, scene.name, scene_hashes, copies.image_hashes, folder, size);
     }
   for (const auto& one_case : cases)
     for (const auto& target : registry::target_names(one_case)) {

@@ -2,6 +2,7 @@
 
 #include "image/image.h"
 #include "registry/case.h"
+#include "registry/image_size.h"
 
 #include <filesystem>
 #include <map>
@@ -36,14 +37,14 @@ struct ReferenceCopies {
 /// copies; messages name the original. A reference is stale, and so missing, if the scene hash or its own
 /// pixel hash differs from its provenance record, and a copy if its bytes are no longer those that were
 /// copied. `scene_hashes` holds by scene today's hash; a scene that is not in it is not checked. An original
-/// is averaged for images of 1/size_divisor of its width and height once it is checked, see
-/// reduced_reference; copies are averaged already.
+/// is averaged for images of that size once it is checked, see reduced_reference; copies are averaged
+/// already.
 Reference load_reference(const registry::Case& one_case,
                          const std::string& target,
                          const std::filesystem::path& references,
                          const std::map<std::string, std::string>& scene_hashes = {},
                          const ReferenceCopies& copies = {},
-                         int size_divisor = 1);
+                         const registry::ReducedSize& size = {});
 
 /// The files that the reference of a target is made from: one, or the two of a difference.
 std::vector<std::filesystem::path> reference_files(const registry::Case& one_case,
@@ -51,14 +52,14 @@ std::vector<std::filesystem::path> reference_files(const registry::Case& one_cas
                                                    const std::filesystem::path& references);
 
 /// Copies the reference files of all targets of the cases into `folder`, except unusable ones: for images of
-/// 1/size_divisor of their width and height, averages of them, see reduced_reference. Adds for each
+/// a reduced size, averages of them, see reduced_reference. Adds for each
 /// target that has a reference <target>.exr: with them the folder of a run can be looked at on its own.
 /// WriteError when the disk refuses.
 ReferenceCopies copy_references(const std::vector<registry::Case>& cases,
                                 const std::filesystem::path& references,
                                 const std::map<std::string, std::string>& scene_hashes,
                                 const std::filesystem::path& folder,
-                                int size_divisor = 1);
+                                const registry::ReducedSize& size = {});
 
 /// The reference for images of 1/divisor of the width and height, see image::reduced_image. Its provenance
 /// record gets "averaged_over", and the hash of its own pixels and its own noise in place of those of the

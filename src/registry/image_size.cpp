@@ -2,6 +2,8 @@
 
 #include "base/error.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace orbs::registry {
@@ -12,6 +14,15 @@ SizeDivisor size_divisor(std::string_view text) {
   for (const auto divisor : kSizeDivisors)
     if (size_text(divisor) == text) return divisor;
   throw InputError(fmt::format("'{}' is no size; there are 1, 1/2, 1/4 and 1/8 of the full width", text));
+}
+
+int divisor_of_image(int width_px, int height_px, const ReducedSize& size) {
+  int found = FullSize;
+  for (const int divisor : kSizeDivisors)
+    if (divisor <= size.divisor && width_px % divisor == 0 && height_px % divisor == 0 &&
+        std::min(width_px, height_px) / divisor >= size.least_side_px)
+      found = divisor;
+  return found;
 }
 
 namespace {
@@ -32,11 +43,12 @@ bool are_equal(const Rectangle& a, const Rectangle& b) {
 
 }  // namespace
 
-Case reduced_case(Case one_case, int divisor) {
-  if (divisor == 1) return one_case;
+Case reduced_case(Case one_case, const std::function<int(const std::string& target)>& divisor_of) {
   for (auto& mask : one_case.masks)
-    for (auto& rectangle : mask.rectangles) rectangle = grown(rectangle, divisor);
+    for (auto& rectangle : mask.rectangles) rectangle = grown(rectangle, divisor_of(mask.target));
   for (auto& check : one_case.pixel_checks) {
+    const int divisor = divisor_of(check.target);
+    if (divisor == 1) continue;
     const auto region = shrunk(check.region, divisor);
     // A mean that is checked within its standard errors is that of exactly these pixels: where the image has
     // a gradient, a part of them has another one.

@@ -29,6 +29,7 @@ struct RunSettings {
   int seed = 1;
   double spp_scale = 1;
   SizeDivisor size_divisor = FullSize;
+  int least_side_px = 16;      // that a reduced size leaves of an image, see divisor_of_image
   bool fixed_samples = false;  // those of the cases, in place of as many as decide
   bool log = true;             // keep log.txt of renders that passed, too
   bool strict = false;         // a pass with remarks makes the run fail
@@ -46,6 +47,10 @@ struct RunSettings {
   bool verbose = false;
   std::string label;  // of the run, which keeps it
 };
+
+inline ReducedSize reduced_size(const RunSettings& settings) {
+  return {settings.size_divisor, settings.least_side_px};
+}
 
 /// The settings without those of one call.
 inline RunSettings lasting(RunSettings settings) {
@@ -108,6 +113,13 @@ void fields_of_renders(Visitor& visit, Settings& run) {
   visit("size", run.size_divisor,
         {.help = "Width and height of all images, as a share of the scenes': `1`, `1/2`, `1/4` or `1/8`",
          .option = "--size SHARE"});
+  visit(
+      "least_side", run.least_side_px,
+      {.help =
+           "Pixels that a reduced size leaves of the shorter side of an image at least: a smaller image has a "
+           "larger share, up to its full size",
+       .option = "--least-side PIXELS",
+       .range = {1, 1024}});
   visit("fixed_samples", run.fixed_samples,
         {.help = "Render the samples of the cases, in one go, in place of as many as decide the verdict",
          .option = "--fixed-samples"});

@@ -1,6 +1,7 @@
 #include "report/hints.h"
 
 #include <algorithm>
+#include <map>
 #include <vector>
 
 #include <fmt/format.h>
@@ -67,6 +68,18 @@ std::string explain_hint(const results::RunRecord& run) {
              : "";
 }
 
+// "2 at 1/2 and 3 at full size, as they are small".
+std::string larger_sizes(const results::RunRecord& run) {
+  std::map<std::string, int> counts;  // "1" before "1/2"
+  for (const auto& scene : run.scenes)
+    if (!scene.size.empty()) ++counts[scene.size];
+  std::vector<std::string> parts;
+  for (const auto& [size, count] : counts)
+    parts.push_back(fmt::format("{} at {}", count, size == "1" ? "full size" : size));
+  if (parts.empty()) return "";
+  return fmt::format(" ({}: too small for less, or not to be divided)", fmt::join(parts, ", "));
+}
+
 std::string size_note(const results::RunRecord& run) {
   if (run.size == "1") return "";
   std::ptrdiff_t unmeasured = 0;
@@ -79,10 +92,10 @@ std::string size_note(const results::RunRecord& run) {
           : fmt::format("Not measured: {}, smaller than such a pixel. ",
                         unmeasured == 1 ? "1 pixel check" : fmt::format("{} pixel checks", unmeasured));
   return fmt::format(
-      "Measured at {} of the width and height: means, tiles and noise are judged as at full size. Edges and detail "
+      "Measured at {} of the width and height{}: means, tiles and noise are judged as at full size. Edges and detail "
       "finer than a pixel of this size are averaged out and not judged. "
       "{}--size 1 judges everything.\n",
-      run.size, left_out);
+      run.size, larger_sizes(run), left_out);
 }
 
 }  // namespace orbs::report

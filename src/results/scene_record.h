@@ -126,6 +126,7 @@ struct SceneRecord {
   std::vector<EffectCostRecord> effect_costs = {};  // from orbs effect-cost; empty if nobody has measured
   std::vector<EffectRecord> switches = {};  // what a renderer can switch, "mirrors", and what calls for it
   int bounces = 0;                          // that can matter; 0 where nothing reflects
+  std::string size = {};  // "1/2": of its image, where that is not the run's; see registry::divisor_of_image
 };
 
 template <class Visitor, json::RecordOf<SceneRecord> Record>
@@ -138,6 +139,7 @@ void fields(Visitor& visit, Record& scene) {
   visit("effect_costs", scene.effect_costs);
   visit("switches", scene.switches);
   visit("bounces", scene.bounces);
+  visit("size", scene.size);
 }
 
 }  // namespace orbs::results

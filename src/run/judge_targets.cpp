@@ -123,7 +123,8 @@ double sample_ratio(const Plan& plan,
                     const image::Image& reference,
                     const JudgedImage& judged) {
   const auto stated = to_integer(judge::provenance_of(reference)["spp"]);
-  const auto divisor = static_cast<double>(plan.settings.size_divisor);
+  const auto& scene = plan.scenes[plan.jobs[planned.jobs.front()].scene];
+  const auto divisor = static_cast<double>(scene.size_divisor);
   const double scale = plan.renderers[planned.renderer].entry.sampling.spp_scale;
   return stated ? static_cast<double>(*stated) * divisor * divisor * scale / judged.spp : 0;
 }

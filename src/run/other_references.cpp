@@ -58,7 +58,7 @@ std::map<std::string, image::Image> other_references(const Plan& plan,
     auto other = is_copied(files, copies)
                      ? judge::load_reference(whole, name, plan.suite.references, hashes, copies)
                      : judge::load_reference(whole, name, plan.suite.references, hashes, {},
-                                             plan.settings.size_divisor);
+                                             registry::reduced_size(plan.settings));
     if (other.image) others[name] = std::move(*other.image);
   }
   return others;

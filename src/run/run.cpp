@@ -109,6 +109,8 @@ results::RunRecord record_at_start(const Plan& plan,
   for (const auto& scene : plan.scenes) {
     record.scenes.push_back(scene_record(scene.name, *scene.scene));
     record.scenes.back().effect_costs = effect_costs[scene.name];
+    if (scene.size_divisor != plan.settings.size_divisor)
+      record.scenes.back().size = registry::size_text(scene.size_divisor);
   }
   for (const auto& job : plan.jobs) record.jobs.push_back(skipped_record(plan, job));
   for (const auto& planned : plan.targets) {
@@ -134,7 +136,7 @@ results::RunRecord run(const Plan& plan, const std::filesystem::path& folder, co
   WorkFolders folders{folder, work_folder.path(), {}};
   folders.references =
       judge::copy_references(with_accepted(plan.cases), plan.suite.references, plan.reference_hashes,
-                             folders.unfinished / kReferenceFolder, plan.settings.size_divisor);
+                             folders.unfinished / kReferenceFolder, registry::reduced_size(plan.settings));
   put_in_place(folders.unfinished / kReferenceFolder, folder / kReferenceFolder);
   folders.references.folder = folder / kReferenceFolder;
   std::vector<std::string> versions;

@@ -57,7 +57,7 @@ TEST(ReducedSize, MayBeTheDefaultOfTheConfiguration) {
   EXPECT_EQ(image_in(sandbox, "full/good/grey/result.exr").width, 12);
 }
 
-TEST(ReducedSize, ThatDoesNotDivideAnImageIsUnsupportedForIt) {
+TEST(ReducedSize, OfAnImageThatItDoesNotDivideIsLarger) {
   const Sandbox sandbox;
   replace_in(sandbox, "cases/m3_mirror/mirror.json", "\"width\": 12", "\"width\": 16");
   auto mirror = image::make_image(16, 8, {"R", "G", "B"});
@@ -65,12 +65,25 @@ TEST(ReducedSize, ThatDoesNotDivideAnImageIsUnsupportedForIt) {
   image::write_exr(mirror, sandbox.folder() / "references/mirror.exr");
   const auto answer = sandbox.orbs({"run", "-r", "good", "-s", "grey,mirror", "-o", "out", "--size", "1/8"});
   EXPECT_EQ(answer.status, 0) << answer.text;
-  EXPECT_TRUE(contains(answer.text, "not measured at 1/8: 12 x 8 px of scene 'grey' cannot be divided by 8"))
+  EXPECT_TRUE(contains(answer.text,
+                       "Measured at 1/8 of the width and height (1 at 1/4: too small for less, or "
+                       "not to be divided)"))
       << answer.text;
   for (const auto& target : record_of(sandbox, "out").targets)
-    EXPECT_EQ(target.verdict, target.target == "mirror" ? Verdict::Pass : Verdict::Unsupported)
-        << target.target << ": " << target.reason;
-  EXPECT_FALSE(sandbox.has("out/good/grey"));
+    EXPECT_EQ(target.verdict, Verdict::Pass) << target.target << ": " << target.reason;
+  EXPECT_EQ(image_in(sandbox, "out/good/grey/result.exr").width, 3);
+  EXPECT_EQ(image_in(sandbox, "out/references/grey.exr").width, 3);
+  EXPECT_EQ(image_in(sandbox, "out/good/mirror/result.exr").width, 2);
+}
+
+TEST(ReducedSize, LeavesEnoughPixels) {
+  const Sandbox sandbox;
+  const auto answer =
+      sandbox.orbs({"run", "-r", "good", "-s", "grey", "-o", "out", "--size", "1/8", "--least-side", "3"});
+  EXPECT_EQ(answer.status, 0) << answer.text;
+  EXPECT_EQ(image_in(sandbox, "out/good/grey/result.exr").height, 4);
+  EXPECT_EQ(record_of(sandbox, "out").scenes.at(0).size, "1/2");
+  EXPECT_TRUE(contains(answer.text, "(1 at 1/2: too small")) << answer.text;
 }
 
 TEST(ReducedSize, NeedsARendererWithABoxFilter) {

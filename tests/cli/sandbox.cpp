@@ -103,7 +103,7 @@ std::string configuration_with(const std::string& defaults) {
   renderers.emplace_back(
       R"({"name": "absent", "executable": "/nowhere/at/all", "declares": "G1", "command": ["{executable}", "{scene}", "{output}"]})");
   return fmt::format(
-      R"({{"format": "orbs-configuration/1", "stands_alone": true, "defaults": {{"suite": "t", "fixed_samples": true{}{}}}, "limits": {{"wall_seconds": 60}},
+      R"({{"format": "orbs-configuration/1", "stands_alone": true, "defaults": {{"suite": "t", "fixed_samples": true, "least_side": 1{}{}}}, "limits": {{"wall_seconds": 60}},
 "suites": [{{"name": "t", "cases": "cases", "references": "references"}}],
 "renderers": [{}]}})",
       defaults.empty() ? "" : ", ", defaults, fmt::join(renderers, ",\n"));

@@ -63,7 +63,7 @@ std::string job_id(const Plan& plan,
   auto text = fmt::format("{}\n{}\n{}\n{}\n{}", plan.suite.name, scene.name, renderer.entry.name, job.spp,
                           plan.settings.seed);
   if (job.first_spp > 0) text += fmt::format("\nlooks from {}", job.first_spp);
-  if (const int divisor = plan.settings.size_divisor; divisor != 1)
+  if (const int divisor = scene.size_divisor; divisor != 1)
     text += fmt::format("\n{}", registry::size_text(divisor));
   return hash_text(content_hash(text));
 }
@@ -83,7 +83,7 @@ std::size_t job_for(Plan& plan, const std::string& scene_name, std::size_t rende
   };
   job.first_spp = first_look_spp(plan, chosen.entry);
   // What a smaller image needs more for its means, looks find out themselves.
-  job.spp = job.first_spp > 0 ? scaled(scene.spp) : scaled(enough_spp(plan, scene, chosen.entry));
+  job.spp = job.first_spp > 0 ? scaled(scene.spp) : scaled(enough_spp(scene, chosen.entry));
   job.id = job_id(plan, scene, chosen, job);
   job.folder = std::filesystem::path(chosen.entry.name) / scene.name;
   job.native_scene = adapters::native_scene(chosen.entry, scene.file, scene.name);

@@ -27,7 +27,7 @@ struct PlannedScene {
   std::filesystem::path file;
   int spp = 64;                               // of the case
   std::shared_ptr<const scene::Scene> scene;  // with the camera of the run's size
-  std::string size_problem{};                 // why it cannot be rendered at that size; "" if it can
+  int size_divisor = 1;                       // of that camera, see registry::divisor_of_image
   int camera_paths = 0;                       // of the whole image that its means need, see enough_spp
   double wall_seconds = 0;                    // of the case, for one render; 0: the renderer's limit alone
   std::map<std::string, std::vector<std::string>> arguments{};  // by the name of a renderer's entry

@@ -96,7 +96,8 @@ std::vector<std::optional<ShippedTime>> shipped_cpu_seconds(const Plan& plan) {
     if (times.suite == plan.suite.name && found != times.of_scenes.end()) {
       const auto& recorded = found->second;
       const double all = planned.first_spp > 0 ? recorded.of_all : recorded.of_a_sample * planned.spp;
-      seconds[job] = {all / full_pixels_for_one(size), size != times.size};
+      const auto divisor = static_cast<double>(scene.size_divisor);
+      seconds[job] = {all / (divisor * divisor), size != times.size};
     } else {
       seconds[job] = {
           typical_seconds(times, renderer) * planned.spp * pixels_of(scene, size) / kTypicalPixels, true};

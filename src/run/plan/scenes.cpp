@@ -103,7 +103,7 @@ void load_scenes(Plan& plan) {
     for (const auto& wanted : one_case.scenes) {
       if (planned_scene(plan, wanted.name) != nullptr) continue;
       PlannedScene planned{wanted.name, wanted.file,         wanted.spp,          nullptr,
-                           "",          wanted.camera_paths, wanted.wall_seconds, wanted.arguments};
+                           1,           wanted.camera_paths, wanted.wall_seconds, wanted.arguments};
       const auto [same, is_new] =
           first.try_emplace({wanted.file.string(), wanted.camera}, plan.scenes.size());
       if (is_new) {
@@ -143,18 +143,20 @@ void hash_references(const std::vector<registry::Case>& all, Plan& plan) {
 
 namespace {
 
-void reduce_camera(PlannedScene& planned, int divisor) {
-  const auto& camera = planned.scene->camera;
-  if (camera.width_px % divisor != 0 || camera.height_px % divisor != 0) {
-    planned.size_problem = fmt::format("{} x {} px of scene '{}' cannot be divided by {} in both directions",
-                                       camera.width_px, camera.height_px, planned.name, divisor);
-    return;
-  }
+void reduce_camera(PlannedScene& planned, const registry::RunSettings& settings) {
   // The same field of view: it is given by fov_y and the ratio of width and height.
   auto reduced = *planned.scene;
-  reduced.camera.width_px /= divisor;
-  reduced.camera.height_px /= divisor;
+  planned.size_divisor = registry::divisor_of_image(reduced.camera.width_px, reduced.camera.height_px,
+                                                    registry::reduced_size(settings));
+  reduced.camera.width_px /= planned.size_divisor;
+  reduced.camera.height_px /= planned.size_divisor;
   planned.scene = std::make_shared<const scene::Scene>(std::move(reduced));
+}
+
+int divisor_of_scene(const Plan& plan, const std::string& name) {
+  const auto found = std::find_if(plan.scenes.begin(), plan.scenes.end(),
+                                  [&](const auto& scene) { return scene.name == name; });
+  return found == plan.scenes.end() ? 1 : found->size_divisor;
 }
 
 std::string mask_problem(const registry::Case& one_case,
@@ -171,14 +173,20 @@ std::string mask_problem(const registry::Case& one_case,
 }  // namespace
 
 void reduce_size(Plan& plan) {
-  const int divisor = plan.settings.size_divisor;
-  if (divisor == 1) return;
-  for (auto& scene : plan.scenes) reduce_camera(scene, divisor);
-  for (auto& one_case : plan.cases) one_case = registry::reduced_case(std::move(one_case), divisor);
+  if (plan.settings.size_divisor == 1) return;
+  for (auto& scene : plan.scenes) reduce_camera(scene, plan.settings);
+  for (auto& one_case : plan.cases) {
+    const auto differences = one_case.differences;
+    one_case = registry::reduced_case(std::move(one_case), [&](const std::string& target) {
+      for (const auto& difference : differences)
+        if (difference.name == target) return divisor_of_scene(plan, difference.of);
+      return divisor_of_scene(plan, target);
+    });
+  }
 }
 
-int enough_spp(const Plan& plan, const PlannedScene& scene, const registry::Renderer& renderer) {
-  if (plan.settings.size_divisor == 1 || renderer.sampling.is_noise_free) return scene.spp;
+int enough_spp(const PlannedScene& scene, const registry::Renderer& renderer) {
+  if (scene.size_divisor == 1 || renderer.sampling.is_noise_free) return scene.spp;
   const int pixels = scene.scene->camera.width_px * scene.scene->camera.height_px;
   return std::max(scene.spp, (scene.camera_paths + pixels - 1) / pixels);
 }
@@ -188,7 +196,7 @@ std::string why_not_at_size(const Plan& plan,
                             const registry::Case& one_case,
                             const std::string& target,
                             const std::vector<std::string>& scenes) {
-  const int divisor = plan.settings.size_divisor;
+  const int divisor = divisor_of_scene(plan, scenes.front());
   if (divisor == 1) return "";
   const auto prefix = fmt::format("not measured at {}: ", registry::size_text(divisor));
   if (!renderer.sampling.has_box_filter)
@@ -201,7 +209,6 @@ std::string why_not_at_size(const Plan& plan,
   for (const auto& name : scenes) {
     const auto planned = std::find_if(plan.scenes.begin(), plan.scenes.end(),
                                       [&](const auto& scene) { return scene.name == name; });
-    if (!planned->size_problem.empty()) return prefix + planned->size_problem;
     if (!command_has_size && !adapters::native_scene(renderer, planned->file, name).empty())
       return fmt::format(
           "{}the hand-written scene '{}' sets its own size, as the command does not use "

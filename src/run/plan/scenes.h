@@ -28,13 +28,13 @@ void load_scenes(Plan& plan);
 /// because a scene may be judged by the reference of one that is not chosen.
 void hash_references(const std::vector<registry::Case>& all, Plan& plan);
 
-/// Divides the cameras of the plan's scenes and the regions of its cases by settings.size_divisor. A scene
-/// that cannot be divided keeps its camera and says so in size_problem; nothing may render it.
+/// Divides the cameras of the plan's scenes and the regions of its cases for the run's size, each image by
+/// what registry::divisor_of_image says.
 void reduce_size(Plan& plan);
 
 /// The samples per pixel of the scene's case, or more where at a reduced size its few pixels would get fewer
 /// camera paths than their means need. A renderer without noise has no use for more.
-int enough_spp(const Plan& plan, const PlannedScene& scene, const registry::Renderer& renderer);
+int enough_spp(const PlannedScene& scene, const registry::Renderer& renderer);
 
 /// Why the renderer's image of a target of the case, made from `scenes`, cannot be measured at the size of
 /// the run; "" if it can. To be asked after reduce_size.

@@ -78,7 +78,7 @@ std::vector<CostSubject> load_cost_subjects(const run::Plan& plan, const std::fi
     if (judge::is_difference(plan.cases[planned.one_case], name)) continue;
     const auto& one_case = own_case(plan, name, plan.cases[planned.one_case]);
     auto reference = judge::load_reference(one_case, name, plan.suite.references, plan.reference_hashes, {},
-                                           plan.settings.size_divisor);
+                                           registry::reduced_size(plan.settings));
     if (!reference.image) throw InputError(reference.problem);
     CostSubject subject;
     subject.one_case = &one_case;

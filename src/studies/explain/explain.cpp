@@ -53,8 +53,9 @@ Explanation explained(const run::Plan& plan,
                       const std::vector<RenderedMutant>& mistakes) {
   Explanation out{.renderer = target.renderer, .case_name = target.case_name, .target = target.target};
   const registry::Case& one_case = *case_named(plan, target.case_name);
-  const auto reference = judge::load_reference(one_case, target.target, plan.suite.references,
-                                               plan.reference_hashes, {}, plan.settings.size_divisor);
+  const auto reference =
+      judge::load_reference(one_case, target.target, plan.suite.references, plan.reference_hashes, {},
+                            registry::reduced_size(plan.settings));
   if (!reference.image) throw InputError(reference.problem);
   const auto result = control_image(run, target.renderer, target.case_name, target.target);
   if (result.width != reference.image->width || result.height != reference.image->height)

@@ -103,8 +103,9 @@ std::vector<FaultDiagnosis> measure_diagnoses(const run::Plan& plan,
   for_each_index(static_cast<int>(subjects.size()), plan.threads, [&](int index) {
     if (is_stopped(context)) return;
     const auto& [one_case, target] = nth(subjects, index);
-    const auto reference = judge::load_reference(*one_case, target, plan.suite.references,
-                                                 plan.reference_hashes, {}, plan.settings.size_divisor);
+    const auto reference =
+        judge::load_reference(*one_case, target, plan.suite.references, plan.reference_hashes, {},
+                              registry::reduced_size(plan.settings));
     if (!reference.image) throw InputError(reference.problem);
     const auto control = control_image(run, renderer, one_case->name, target);
     nth(found, index) = diagnose_faults(

@@ -44,16 +44,15 @@ struct Subject {
   std::string target;
 };
 
-// References of another size are kept as they are: they are like none of the control images.
-std::map<std::string, Image> all_references(const std::filesystem::path& folder, int size_divisor) {
+std::map<std::string, Image> all_references(const std::filesystem::path& folder,
+                                            const registry::ReducedSize& size) {
   std::map<std::string, Image> references;
   std::error_code failed;
   for (const auto& entry : std::filesystem::directory_iterator(folder, failed))
     if (entry.path().extension() == ".exr") {
-      auto image = image::read_image(entry.path());
-      const bool can_be_divided = image.width % size_divisor == 0 && image.height % size_divisor == 0;
+      const auto image = image::read_image(entry.path());
       references[entry.path().stem().string()] =
-          can_be_divided ? image::reduced_image(image, size_divisor) : std::move(image);
+          image::reduced_image(image, registry::divisor_of_image(image.width, image.height, size));
     }
   if (failed) throw InputError(fmt::format("{}: cannot be read: {}", folder.string(), failed.message()));
   return references;
@@ -69,7 +68,7 @@ bool is_wanted(const Qualification& shared, const std::string& scene) {
 void render_mutants(Qualification& shared) {
   const ScratchFolder scratch("orbs-qualify");
   for (const auto& scene : shared.plan.scenes) {
-    if (!scene.size_problem.empty() || !is_wanted(shared, scene.name)) continue;
+    if (!is_wanted(shared, scene.name)) continue;
     const int spp = adapters::scaled_spp(scene.spp, 1, shared.settings.missing_light_spp_scale);
     std::vector<RenderedMutant> mutants;
     if (why_no_light_can_miss(*scene.scene).empty()) {
@@ -99,8 +98,9 @@ GateRecord tested_gate(const Qualification& shared, const Subject& subject) {
   static const std::vector<RenderedMutant> kNone;
   const auto control =
       control_image(shared.run, shared.settings.renderer, subject.one_case->name, subject.target);
-  auto reference = judge::load_reference(*subject.one_case, subject.target, shared.plan.suite.references,
-                                         shared.plan.reference_hashes, {}, shared.plan.settings.size_divisor);
+  auto reference =
+      judge::load_reference(*subject.one_case, subject.target, shared.plan.suite.references,
+                            shared.plan.reference_hashes, {}, registry::reduced_size(shared.plan.settings));
   if (!reference.image && registry::no_reference_reason(*subject.one_case, subject.target).empty())
     throw InputError(reference.problem);
   const auto seed = judge::provenance_of(control)["seed"];
@@ -138,8 +138,12 @@ std::vector<GateRecord> qualify(const run::Plan& plan,
                                 const results::RunRecord& run,
                                 const QualifySettings& settings,
                                 const StudyContext& context) {
-  Qualification shared{
-      plan, run, settings, context, all_references(plan.suite.references, plan.settings.size_divisor), {}};
+  Qualification shared{plan,
+                       run,
+                       settings,
+                       context,
+                       all_references(plan.suite.references, registry::reduced_size(plan.settings)),
+                       {}};
   render_mutants(shared);
   std::vector<Subject> subjects;
   for (const auto& target : plan.targets) {

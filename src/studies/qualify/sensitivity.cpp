@@ -194,7 +194,7 @@ Subject subject_of(const run::Plan& plan, const run::PlannedScene& scene) {
     if (std::find(names.begin(), names.end(), scene.name) == names.end()) continue;
     Subject subject{&one_case, scene.name,
                     judge::load_reference(one_case, scene.name, plan.suite.references, plan.reference_hashes,
-                                          {}, plan.settings.size_divisor)};
+                                          {}, registry::reduced_size(plan.settings))};
     return subject;
   }
   return {};  // part of a difference alone
@@ -219,10 +219,6 @@ std::vector<JudgedImage> measure_sensitivity(const run::Plan& plan,
   const ScratchFolder scratch("orbs-sensitivity");
   std::vector<JudgedImage> images;
   for (const auto& scene : plan.scenes) {
-    if (!scene.size_problem.empty()) {
-      context.say(fmt::format("{}: left out, {}", scene.name, scene.size_problem));
-      continue;
-    }
     const Subject subject = subject_of(plan, scene);
     if (subject.one_case == nullptr) continue;
     if (std::holds_alternative<scene::IrradianceCache>(scene.scene->integrator)) {

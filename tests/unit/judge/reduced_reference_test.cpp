@@ -56,17 +56,17 @@ TEST(ReducedReference, IsReadAsItIsCopied) {
   image::write_exr(halves(0.25F), scratch.path() / "b.exr");
   const auto hashes = std::map<std::string, std::string>{{"a", "1234"}, {"b", "1234"}};
   const auto folder = scratch.path() / "copies";
-  const auto copies = judge::copy_references({case_with_difference()}, scratch.path(), hashes, folder, 4);
+  const auto copies = judge::copy_references({case_with_difference()}, scratch.path(), hashes, folder, {4});
   for (const char* target : {"a", "b", "d"}) {
     const auto copied =
-        judge::load_reference(case_with_difference(), target, scratch.path(), hashes, copies, 4);
-    const auto read = judge::load_reference(case_with_difference(), target, scratch.path(), hashes, {}, 4);
+        judge::load_reference(case_with_difference(), target, scratch.path(), hashes, copies, {4});
+    const auto read = judge::load_reference(case_with_difference(), target, scratch.path(), hashes, {}, {4});
     ASSERT_TRUE(copied.image && read.image) << copied.problem << read.problem;
-    EXPECT_EQ(copied.image->width, 4);
+    EXPECT_EQ(copied.image->width, {4});
     EXPECT_EQ(copied.image->pixels, read.image->pixels) << target;
     EXPECT_EQ(image::read_image(folder / (std::string(target) + ".exr")).height, 2);
   }
-  EXPECT_EQ(judge::load_reference(case_with_difference(), "d", scratch.path(), hashes, copies, 4)
+  EXPECT_EQ(judge::load_reference(case_with_difference(), "d", scratch.path(), hashes, copies, {4})
                 .image->at(0, 0, 0),
             0.125F);
 }
@@ -80,13 +80,13 @@ TEST(ReducedReference, IsMissingWhereTheFullOneIsStale) {
   image::write_exr(changed, scratch.path() / "a.exr");
   image::write_exr(halves(0.25F), scratch.path() / "b.exr");
   const auto hashes = std::map<std::string, std::string>{{"a", "1234"}, {"b", "5678"}};
-  const auto copies =
-      judge::copy_references({case_with_difference()}, scratch.path(), hashes, scratch.path() / "copies", 4);
+  const auto copies = judge::copy_references({case_with_difference()}, scratch.path(), hashes,
+                                             scratch.path() / "copies", {4});
   for (const auto& from : {copies, judge::ReferenceCopies{}}) {
-    const auto a = judge::load_reference(case_with_difference(), "a", scratch.path(), hashes, from, 4);
+    const auto a = judge::load_reference(case_with_difference(), "a", scratch.path(), hashes, from, {4});
     EXPECT_FALSE(a.image);
     EXPECT_NE(a.problem.find("is not the image that was accepted"), std::string::npos) << a.problem;
-    const auto b = judge::load_reference(case_with_difference(), "b", scratch.path(), hashes, from, 4);
+    const auto b = judge::load_reference(case_with_difference(), "b", scratch.path(), hashes, from, {4});
     EXPECT_FALSE(b.image);
     EXPECT_NE(b.problem.find("scene 'b' has changed"), std::string::npos) << b.problem;
   }
@@ -99,7 +99,8 @@ TEST(ReducedReference, SaysWhichPixelsAreNotChecked) {
   results::TargetRecord record;
   record.target = "a";
   const auto image = image::select_rgb(judge::reduced_reference(halves(0.5F), 4), "");
-  judge::judge_image(registry::reduced_case(full, 4), image, {"a.exr", image, ""}, {}, record);
+  const auto reduced = registry::reduced_case(full, [](const std::string& /*target*/) { return 4; });
+  judge::judge_image(reduced, image, {"a.exr", image, ""}, {}, record);
   EXPECT_NE(record.verdict, results::Verdict::Fail) << record.reason;
   ASSERT_EQ(record.checks.size(), 3U);
   EXPECT_FALSE(record.checks[1].measured);

@@ -38,6 +38,7 @@ run::Plan plan_of(int count) {
        {"101", "102", "103", "110", "113", "124", "201", "215", "232", "305", "248-full"}) {
     run::PlannedScene scene;
     scene.name = name;
+    scene.size_divisor = plan.settings.size_divisor;
     plan.scenes.push_back(scene);
   }
   for (int i = 0; i < count; ++i) {
@@ -77,6 +78,7 @@ TEST(ShippedTimes, AreScaledToOtherSizesScenesSuitesAndRenderers) {
   plan.jobs[0].spp = 160;
   EXPECT_NEAR(run::shipped_cpu_seconds(plan)[0]->cpu_seconds, 2 * quarter[0]->cpu_seconds, 1e-9);
   plan.settings.size_divisor = registry::FullSize;
+  for (auto& scene : plan.scenes) scene.size_divisor = 1;
   plan.jobs[0].first_spp = 16;
   const auto needed = run::shipped_cpu_seconds(plan)[0]->cpu_seconds;
   plan.jobs[0].spp *= 8;
