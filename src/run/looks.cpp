@@ -49,8 +49,7 @@ int most_spp(const Plan& plan, const PlannedJob& job) {
   constexpr double kPaths = 0x1p28;
   const auto& camera = plan.scenes[job.scene].scene->camera;
   const double of_small = kPaths / (static_cast<double>(camera.width_px) * camera.height_px);
-  const double of_looks = std::ldexp(job.first_spp, kMostLooks - 1);
-  return power_of_two_below(static_cast<int>(std::min(of_looks, std::max<double>(kUsual, of_small))));
+  return power_of_two_below(static_cast<int>(std::max<double>(kUsual, of_small)));
 }
 
 int first_guess_spp(const PlannedJob& job) {
@@ -58,13 +57,25 @@ int first_guess_spp(const PlannedJob& job) {
   return job.spp < std::sqrt(2.0) * below ? below : 2 * below;
 }
 
-int samples_after_next(const Plan& plan, const PlannedJob& job, int spp, const judge::Need& need) {
+namespace {
+
+// The shortest step from which the looks that are left reach `most` by the largest ones.
+int least_step(int most, int spp, int looks) {
+  const double largest_of_others = std::pow(kLargestStep, std::max(0, kMostLooks - looks - 1));
+  const double step = std::ceil(most / (spp * largest_of_others));
+  return power_of_two_above(static_cast<int>(std::clamp<double>(step, 2, kLargestStep)));
+}
+
+}  // namespace
+
+int samples_after_next(const Plan& plan, const PlannedJob& job, int looks, int spp, const judge::Need& need) {
   const bool counts_images = !plan.renderers[job.renderer].entry.command.sequence.words.empty();
   if (counts_images) return 2 * spp;
-  const int next = 2 * power_of_two_below(spp);
-  if (spp > next / 2) return next;
-  if (spp >= kFewestForHalfAgain && need.samples < kLikelyWithHalfAgain) return spp + spp / 2;
-  if (!(need.at_best > 2)) return next;
+  const int least = least_step(most_spp(plan, job), spp, looks);
+  const int next = least * power_of_two_below(spp);
+  if (spp > power_of_two_below(spp)) return next;
+  if (least == 2 && spp >= kFewestForHalfAgain && need.samples < kLikelyWithHalfAgain) return spp + spp / 2;
+  if (!(need.at_best > least)) return next;
   return spp * power_of_two_below(static_cast<int>(std::min<double>(kLargestStep, need.at_best)));
 }
 

@@ -27,20 +27,21 @@ inline constexpr const char* kHalvesFile = "halves.exr";
 int first_look_spp(const Plan& plan, const registry::Renderer& renderer);
 
 /// The most samples that looks give a job where no time is set: 4096, or in small images what makes 2^28
-/// paths of the whole image, and what twelve looks that double them come to at most. The scenes of the suites
-/// that need most need half of that; the samples say the same on any machine, which a clock does not.
+/// paths of the whole image. The mean over an image needs the same number of paths at any size, and paths say
+/// the same on any machine, which a clock does not.
 int most_spp(const Plan& plan, const PlannedJob& job);
 
 /// The samples, as a power of two, before which a plain number that has no interval is no miss: the nearest
 /// to those of the case.
 int first_guess_spp(const PlannedJob& job);
 
-/// All samples after the next look, of `spp` that are there: as many times as many as its open targets need
-/// at best, as a power of two from 2 to 16. Each look has its price, as a renderer starts twice and the image
-/// is judged. From 512 samples on, half as many again come first where they are likely to decide it, and
-/// then what is left to the next power of two, so that no more samples are rendered than by doubling. A
-/// renderer whose seeds count images (registry::ImageSequence) doubles its samples.
-int samples_after_next(const Plan& plan, const PlannedJob& job, int spp, const judge::Need& need);
+/// All samples after the next look, of `spp` that are there after so many looks: as many times as many as its
+/// open targets need at best, as a power of two from 2 to 16, and as many as let the looks that are left
+/// reach most_spp. Each look has its price, as a renderer starts twice and the image is judged. From 512
+/// samples on, half as many again come first where they are likely to decide it, and then what is left to the
+/// next power of two, so that no more samples are rendered than by doubling. A renderer whose seeds count
+/// images (registry::ImageSequence) doubles its samples.
+int samples_after_next(const Plan& plan, const PlannedJob& job, int looks, int spp, const judge::Need& need);
 
 /// The look after so many, from `before` to `after` samples in all. Its seeds are below 2049, far from those
 /// of references, no two of one job are equal, and all jobs of a run have the same, so that the difference of

@@ -333,7 +333,7 @@ int spp_after_next(const RenderSession& session,
                    int spp,
                    const judge::Need& need) {
   const auto& job = session.plan.jobs[index];
-  int after = samples_after_next(session.plan, job, spp, need);
+  int after = samples_after_next(session.plan, job, so_far.looks, spp, need);
   if (so_far.budget_seconds == 0) return std::min(after, std::max(2 * spp, so_far.most_spp));
   while (after > 2 * spp && so_far.seconds + seconds_for(so_far.pace, after - spp) > so_far.budget_seconds)
     after /= 2;

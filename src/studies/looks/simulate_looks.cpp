@@ -11,8 +11,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 namespace orbs::studies {
 
@@ -137,6 +139,10 @@ struct Ended {
 run::Plan plan_of_looks() {
   run::Plan plan;
   plan.renderers.emplace_back();
+  scene::Scene scene;
+  scene.camera.width_px = scene.camera.height_px = kSimulatedSide_px;
+  plan.scenes.push_back(
+      {.name = "a", .file = {}, .scene = std::make_shared<const scene::Scene>(std::move(scene))});
   return plan;
 }
 
@@ -156,8 +162,9 @@ Ended sequence(const registry::Case& one_case,
   bool is_open = true;
   judge::Need need{2, 2};
   for (int count = 0; is_open && count < run::kMostLooks && ended.spp < kMostSpp; ++count) {
-    const int after =
-        count == 0 ? kFirstSpp : std::min(kMostSpp, run::samples_after_next(plan, job, ended.spp, need));
+    const int after = count == 0
+                          ? kFirstSpp
+                          : std::min(kMostSpp, run::samples_after_next(plan, job, count, ended.spp, need));
     const int spp = run::next_look(plan, job, count, ended.spp, after).spp;
     const std::array renders{simulated_image(values, law, spp, random),
                              simulated_image(values, law, spp, random)};

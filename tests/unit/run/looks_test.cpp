@@ -77,7 +77,7 @@ TEST(Looks, DoubleTheSamplesAndUseNoSeedTwice) {
   std::set<int> seeds;
   int samples = 0;
   for (int looks = 0; looks < kMostLooks; ++looks) {
-    const int after = looks == 0 ? 32 : samples_after_next(plan, job, samples, {2, 1});
+    const int after = looks == 0 ? 32 : samples_after_next(plan, job, looks, samples, {2, 1});
     const auto look = next_look(plan, job, looks, samples, after);
     for (const int seed : look.seeds) {
       EXPECT_TRUE(seeds.insert(seed).second);
@@ -97,11 +97,11 @@ TEST(Looks, DoubleTheSamplesAndUseNoSeedTwice) {
 TEST(Looks, GoAsFarAsIsNeededAtBest) {
   const auto plan = plan_of(seeded(), 64);
   const auto job = job_from(16);
-  EXPECT_EQ(samples_after_next(plan, job, 16, {2, 0.5}), 32);
-  EXPECT_EQ(samples_after_next(plan, job, 16, {2, 3.9}), 32);
-  EXPECT_EQ(samples_after_next(plan, job, 16, {2, 4}), 64);
-  EXPECT_EQ(samples_after_next(plan, job, 16, {2, 15}), 128);
-  EXPECT_EQ(samples_after_next(plan, job, 16, {2, 1e9}), 256);
+  EXPECT_EQ(samples_after_next(plan, job, 1, 16, {2, 0.5}), 32);
+  EXPECT_EQ(samples_after_next(plan, job, 1, 16, {2, 3.9}), 32);
+  EXPECT_EQ(samples_after_next(plan, job, 1, 16, {2, 4}), 64);
+  EXPECT_EQ(samples_after_next(plan, job, 1, 16, {2, 15}), 128);
+  EXPECT_EQ(samples_after_next(plan, job, 1, 16, {2, 1e9}), 256);
   EXPECT_EQ(next_look(plan, job, 1, 16, 256).spp, 120);
 }
 
@@ -109,11 +109,11 @@ TEST(Looks, GoAsFarAsIsNeededAtBest) {
 TEST(Looks, TakeHalfAsManyAgainWhereThatIsLikelyToDo) {
   const auto plan = plan_of(seeded(), 64);
   const auto job = job_from(16);
-  EXPECT_EQ(samples_after_next(plan, job, 4096, {1.2, 1}), 6144);
-  EXPECT_EQ(samples_after_next(plan, job, 6144, {1.2, 1}), 8192);
-  EXPECT_EQ(samples_after_next(plan, job, 6144, {9, 9}), 8192);
-  EXPECT_EQ(samples_after_next(plan, job, 4096, {1.6, 1}), 8192);
-  EXPECT_EQ(samples_after_next(plan, job, 64, {1.2, 1}), 128) << "what starts twice for little";
+  EXPECT_EQ(samples_after_next(plan, job, 1, 4096, {1.2, 1}), 6144);
+  EXPECT_EQ(samples_after_next(plan, job, 1, 6144, {1.2, 1}), 8192);
+  EXPECT_EQ(samples_after_next(plan, job, 1, 6144, {9, 9}), 8192);
+  EXPECT_EQ(samples_after_next(plan, job, 1, 4096, {1.6, 1}), 8192);
+  EXPECT_EQ(samples_after_next(plan, job, 1, 64, {1.2, 1}), 128) << "what starts twice for little";
 }
 
 // With n samples, the seed s is the s-th block of n samples of one sequence. No sample is rendered twice.
@@ -127,7 +127,7 @@ TEST(Looks, OfAnImageSequenceGoOnWhereTheLastOneEnded) {
   const auto job = job_from(32);
   int samples = 0;
   for (int looks = 0; looks < kMostLooks; ++looks) {
-    const int after = looks == 0 ? 32 : samples_after_next(plan, job, samples, {1, 100});
+    const int after = looks == 0 ? 32 : samples_after_next(plan, job, looks, samples, {1, 100});
     const auto look = next_look(plan, job, looks, samples, after);
     for (const int seed : look.seeds) {
       EXPECT_EQ((seed - 1) * look.spp, samples);
@@ -187,7 +187,20 @@ TEST(Looks, SmallImagesGetMoreSamples) {
   const auto job = job_from(16);
   EXPECT_EQ(most_spp(plan_of(seeded(), 512), job), 4096);
   EXPECT_EQ(most_spp(plan_of(seeded(), 128), job), 16384);
-  EXPECT_EQ(most_spp(plan_of(seeded(), 64), job), 32768) << "twelve looks";
+  EXPECT_EQ(most_spp(plan_of(seeded(), 32), job), 262144);
+}
+
+// At 1/8 of 256 px the samples of twelve looks that double were an eighth of the paths of full size, and some
+// ended with "12 looks have not decided it".
+TEST(Looks, ReachTheirMostSamplesByTheLast) {
+  const auto job = job_from(16);
+  for (const int side : {16, 32, 64, 512}) {
+    const auto plan = plan_of(seeded(), side);
+    int samples = 16;
+    for (int looks = 1; looks < kMostLooks; ++looks)
+      if (samples < most_spp(plan, job)) samples = samples_after_next(plan, job, looks, samples, {2, 1});
+    EXPECT_GE(samples, most_spp(plan, job)) << side << " px";
+  }
 }
 
 TEST(Looks, TheFirstGuessIsTheNearestPowerOfTwo) {
