@@ -3,6 +3,7 @@
 #include "base/error.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -64,6 +65,10 @@ Case reduced_case(Case one_case, const std::function<int(const std::string& targ
     }
   }
   return one_case;
+}
+
+Case reduced_case(Case one_case, int divisor) {
+  return reduced_case(std::move(one_case), [&](const std::string& /*target*/) { return divisor; });
 }
 
 }  // namespace orbs::registry

@@ -76,7 +76,7 @@ TEST_F(CircularLight, AWrongParameterFails) {
   constexpr int kDivisor = registry::QuarterSize;
   const auto reduced = registry::reduced_case(case_, kDivisor);
   const auto reference =
-      judge::load_reference(reduced, "circular_light", suite_.references, {}, {}, kDivisor);
+      judge::load_reference(reduced, "circular_light", suite_.references, {}, {}, {kDivisor});
   ASSERT_TRUE(reference.image) << reference.problem;
   const auto judged = [&](const image::Image& image) {
     results::TargetRecord record;

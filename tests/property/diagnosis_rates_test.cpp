@@ -68,7 +68,7 @@ std::vector<Subject> subjects(const registry::Suite& suite) {
 image::Image reference_of(const registry::Suite& suite,
                           const registry::Case& one_case,
                           const std::string& target) {
-  auto reference = judge::load_reference(one_case, target, suite.references, {}, {}, kDivisor);
+  auto reference = judge::load_reference(one_case, target, suite.references, {}, {}, {kDivisor});
   EXPECT_TRUE(reference.image) << reference.problem;
   return std::move(*reference.image);
 }

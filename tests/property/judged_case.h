@@ -37,7 +37,7 @@ inline results::TargetRecord judged(const registry::Case& one_case,
                                     const std::filesystem::path& references,
                                     int divisor = registry::QuarterSize) {
   const auto reduced = registry::reduced_case(one_case, divisor);
-  const auto reference = judge::load_reference(reduced, target, references, {}, {}, divisor);
+  const auto reference = judge::load_reference(reduced, target, references, {}, {}, {divisor});
   EXPECT_TRUE(reference.image) << reference.problem;
   const auto scene = reduced_scene(full, divisor);
   results::TargetRecord record;

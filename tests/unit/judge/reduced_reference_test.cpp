@@ -99,8 +99,7 @@ TEST(ReducedReference, SaysWhichPixelsAreNotChecked) {
   results::TargetRecord record;
   record.target = "a";
   const auto image = image::select_rgb(judge::reduced_reference(halves(0.5F), 4), "");
-  const auto reduced = registry::reduced_case(full, [](const std::string& /*target*/) { return 4; });
-  judge::judge_image(reduced, image, {"a.exr", image, ""}, {}, record);
+  judge::judge_image(registry::reduced_case(full, 4), image, {"a.exr", image, ""}, {}, record);
   EXPECT_NE(record.verdict, results::Verdict::Fail) << record.reason;
   ASSERT_EQ(record.checks.size(), 3U);
   EXPECT_FALSE(record.checks[1].measured);

@@ -14,16 +14,12 @@ registry::Case case_with(const Rectangle& region) {
   return made;
 }
 
-registry::Case reduced_case(const registry::Case& one_case, int divisor) {
-  return registry::reduced_case(one_case, [&](const std::string& /*target*/) { return divisor; });
-}
-
 std::string masked(const Rectangle& region, int divisor) {
-  return rectangle_text(reduced_case(case_with(region), divisor).masks[0].rectangles[0]);
+  return rectangle_text(registry::reduced_case(case_with(region), divisor).masks[0].rectangles[0]);
 }
 
 registry::PixelCheck checked(const Rectangle& region, int divisor) {
-  return reduced_case(case_with(region), divisor).pixel_checks[0];
+  return registry::reduced_case(case_with(region), divisor).pixel_checks[0];
 }
 
 }  // namespace
@@ -45,7 +41,7 @@ TEST(ReducedCase, MeasuresAMeanWithStandardErrorsOfAllItsPixelsAlone) {
   const auto reduced = [](const Rectangle& region) {
     auto made = case_with(region);
     made.pixel_checks[0].standard_errors = 4;
-    return reduced_case(made, 4).pixel_checks[0];
+    return registry::reduced_case(made, 4).pixel_checks[0];
   };
   EXPECT_EQ(reduced({4, 8, 12, 16}).not_measured, "");
   EXPECT_NE(reduced({3, 7, 13, 17}).not_measured.find("not measured at 1/4"), std::string::npos);
