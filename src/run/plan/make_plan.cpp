@@ -31,15 +31,8 @@ namespace orbs::run {
 namespace {
 
 void check_regions(const Plan& plan, const registry::Case& one_case) {
-  const auto scene_of = [&](const std::string& target) {
-    auto name = target;
-    for (const auto& difference : one_case.differences)
-      if (difference.name == target) name = difference.of;
-    return std::find_if(plan.scenes.begin(), plan.scenes.end(),
-                        [&](const auto& scene) { return scene.name == name; });
-  };
   const auto check = [&](const std::string& target, const Rectangle& region) {
-    const auto& camera = scene_of(target)->scene->camera;
+    const auto& camera = scene_of_target(plan, one_case, target)->scene->camera;
     if (region.x1 > camera.width_px || region.y1 > camera.height_px)
       throw InputError(fmt::format("{}: the rectangle {} of '{}' reaches beyond its {} x {} pixels",
                                    one_case.file.string(), rectangle_text(region), target, camera.width_px,
@@ -47,7 +40,7 @@ void check_regions(const Plan& plan, const registry::Case& one_case) {
   };
   for (const auto& mask : one_case.masks) {
     for (const auto& rectangle : mask.rectangles) check(mask.target, rectangle);
-    const auto& camera = scene_of(mask.target)->scene->camera;
+    const auto& camera = scene_of_target(plan, one_case, mask.target)->scene->camera;
     with_note(fmt::format("reading the masks of '{}' in {}", mask.target, one_case.file.string()), [&] {
       metrics::included_pixels(judge::mask_of(one_case, mask.target), camera.width_px, camera.height_px);
     });

@@ -96,6 +96,14 @@ std::shared_ptr<const scene::Scene> loaded(const registry::CaseScene& wanted, co
 
 }  // namespace
 
+const PlannedScene* scene_of_target(const Plan& plan,
+                                    const registry::Case& one_case,
+                                    const std::string& target) {
+  for (const auto& difference : one_case.differences)
+    if (difference.name == target) return planned_scene(plan, difference.of);
+  return planned_scene(plan, target);
+}
+
 void load_scenes(Plan& plan) {
   using FileAndCamera = std::pair<std::string, std::string>;
   std::map<FileAndCamera, std::size_t> first;  // scene that is made of them
@@ -153,12 +161,6 @@ void reduce_camera(PlannedScene& planned, const registry::RunSettings& settings)
   planned.scene = std::make_shared<const scene::Scene>(std::move(reduced));
 }
 
-int divisor_of_scene(const Plan& plan, const std::string& name) {
-  const auto found = std::find_if(plan.scenes.begin(), plan.scenes.end(),
-                                  [&](const auto& scene) { return scene.name == name; });
-  return found == plan.scenes.end() ? 1 : found->size_divisor;
-}
-
 std::string mask_problem(const registry::Case& one_case,
                          const std::string& target,
                          const scene::Camera& camera) {
@@ -176,11 +178,10 @@ void reduce_size(Plan& plan) {
   if (plan.settings.size_divisor == 1) return;
   for (auto& scene : plan.scenes) reduce_camera(scene, plan.settings);
   for (auto& one_case : plan.cases) {
-    const auto differences = one_case.differences;
-    one_case = registry::reduced_case(std::move(one_case), [&](const std::string& target) {
-      for (const auto& difference : differences)
-        if (difference.name == target) return divisor_of_scene(plan, difference.of);
-      return divisor_of_scene(plan, target);
+    const auto full = one_case;
+    one_case = registry::reduced_case(full, [&](const std::string& target) {
+      const auto* scene = scene_of_target(plan, full, target);
+      return scene == nullptr ? 1 : scene->size_divisor;
     });
   }
 }
@@ -196,7 +197,7 @@ std::string why_not_at_size(const Plan& plan,
                             const registry::Case& one_case,
                             const std::string& target,
                             const std::vector<std::string>& scenes) {
-  const int divisor = divisor_of_scene(plan, scenes.front());
+  const int divisor = planned_scene(plan, scenes.front())->size_divisor;
   if (divisor == 1) return "";
   const auto prefix = fmt::format("not measured at {}: ", registry::size_text(divisor));
   if (!renderer.sampling.has_box_filter)
@@ -207,8 +208,7 @@ std::string why_not_at_size(const Plan& plan,
   const bool command_has_size = registry::uses_placeholder(renderer.command.words, "width") &&
                                 registry::uses_placeholder(renderer.command.words, "height");
   for (const auto& name : scenes) {
-    const auto planned = std::find_if(plan.scenes.begin(), plan.scenes.end(),
-                                      [&](const auto& scene) { return scene.name == name; });
+    const auto* planned = planned_scene(plan, name);
     if (!command_has_size && !adapters::native_scene(renderer, planned->file, name).empty())
       return fmt::format(
           "{}the hand-written scene '{}' sets its own size, as the command does not use "

@@ -24,6 +24,11 @@ std::uint64_t scene_content_hash(const scene::Scene& scene, const std::filesyste
 /// Reads the scenes of the plan's cases, each once, at their full size.
 void load_scenes(Plan& plan);
 
+/// The scene that a target of the case shows, of a difference the first; nullptr where the plan has none.
+const PlannedScene* scene_of_target(const Plan& plan,
+                                    const registry::Case& one_case,
+                                    const std::string& target);
+
 /// Notes the hashes of the scenes by whose references the plan's scenes are judged. `all` cases of the suite,
 /// because a scene may be judged by the reference of one that is not chosen.
 void hash_references(const std::vector<registry::Case>& all, Plan& plan);
